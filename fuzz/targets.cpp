@@ -68,14 +68,7 @@ fs::path written(const fs::path& file, std::string_view bytes) {
 // ---- projects ----
 
 /// Whether a project would open files, which other targets cover.
-bool needs_files(const project::Project& project) {
-  const auto& terrain = project.terrain;
-  const bool seeders_do = std::ranges::any_of(project.seeders, [](const project::Seeder& seeder) {
-    return !seeder.lines.empty() || !seeder.polygons.empty() || !seeder.mask.empty();
-  });
-  return seeders_do || project.has_survey() || !terrain.mesh.empty() || !terrain.raster.empty() ||
-         !terrain.polygons.empty() || !project.ground.raster.empty() || !project.ground.polygons.empty();
-}
+bool needs_files(const project::Project& project) { return !project.named_files.empty(); }
 
 bool is_small(const project::Project& project) {
   const auto& terrain = project.terrain;
@@ -142,6 +135,24 @@ Verdict read_points(std::string_view input, const fs::path& folder) {
       survey.points = read_point_file(written(folder / "points.csv", input));
     }
     if (survey.points.size() <= most_parts) (void)surface_of(survey, {.source = "points"});
+  });
+}
+
+Verdict read_table(std::string_view input, const fs::path& folder) {
+  constexpr std::string_view start = R"(
+[terrain]
+vertices = [[0, 0, 10], [1000, 0, 0], [1000, 1000, 0], [0, 1000, 10]]
+triangles = [[0, 1, 2], [0, 2, 3]]
+[[material]]
+name = "Rock"
+[[seeder]]
+)";
+  written(folder / "table.csv", input);
+  return verdict_of([&] {
+    const std::string text = std::string(start) + "type = \"table\"\ntable = \"table.csv\"\nmass_kg = 1\n";
+    Problems warnings;
+    (void)project::build_model(project::read_project_text(text, folder / "not-there.toml").project, warnings);
+    (void)warnings.text();
   });
 }
 

@@ -24,6 +24,9 @@ Verdict read_mesh(std::string_view input, const std::filesystem::path& folder);
 /// The first byte selects text or LAS, the others are the file. Few points are made into a surface.
 Verdict read_points(std::string_view input, const std::filesystem::path& folder);
 
+/// A table of releases, from which a model is built.
+Verdict read_table(std::string_view input, const std::filesystem::path& folder);
+
 /// The first byte selects integers or real numbers, the others are an ASCII grid, which is checked.
 Verdict read_grid(std::string_view input, const std::filesystem::path& folder);
 
@@ -40,10 +43,11 @@ struct Target {
   Read read;
 };
 
-inline constexpr std::array<Target, 6> targets{{{"project", &read_project},
+inline constexpr std::array<Target, 7> targets{{{"project", &read_project},
                                                 {"mesh", &read_mesh},
                                                 {"points", &read_points},
                                                 {"grid", &read_grid},
+                                                {"table", &read_table},
                                                 {"results", &read_results},
                                                 {"state", &read_state}}};
 

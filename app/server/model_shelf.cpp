@@ -20,12 +20,8 @@ namespace fs = std::filesystem;
 
 /// All files that the project of a model names.
 std::vector<fs::path> files_of(const project::Project& project) {
-  const project::Terrain& terrain = project.terrain;
-  std::vector<fs::path> files{terrain.mesh,     terrain.raster,   terrain.points,        terrain.lines,
-                              terrain.boundary, terrain.polygons, project.ground.raster, project.ground.polygons};
-  for (const project::Seeder& seeder : project.seeders)
-    for (const fs::path& file : {seeder.lines, seeder.polygons, seeder.mask}) files.push_back(file);
-  std::erase_if(files, [](const fs::path& file) { return file.empty(); });
+  std::vector<fs::path> files;
+  for (const project::NamedFile& named : project.named_files) files.push_back(named.file);
   return files;
 }
 

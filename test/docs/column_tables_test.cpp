@@ -18,6 +18,7 @@
 #include "talus/archive/table_columns.hpp"
 #include "talus/export/geopackage_rows.hpp"
 #include "talus/maps/source_maps.hpp"
+#include "talus/model/release_columns.hpp"
 
 namespace talus {
 namespace {
@@ -41,16 +42,13 @@ void expect_fresh(const std::string& name, const std::string& made) {
 using Tables = std::map<std::string, std::vector<ColumnText>>;
 
 const Tables& tables() {
-  static const Tables tables{{"endpoints.csv", column_texts<EndpointRow>()},
-                             {"paths.csv", column_texts<PathEventRow>()},
-                             {"barriers.csv", column_texts<HitRow>()},
-                             {"envelopes.csv", column_texts<EnvelopeRow>()},
-                             {"design.csv", column_texts<DesignRow>()},
-                             {"design_ranking.csv", column_texts<RankingRow>()},
-                             {"sources.csv", column_texts<SourceRow>()},
-                             {"layer paths", column_texts<RockLayerRow>()},
-                             {"layer barriers", column_texts<BarrierLayerRow>()},
-                             {"layer design", column_texts<DesignLayerRow>()}};
+  static const Tables tables{
+      {"endpoints.csv", column_texts<EndpointRow>()},  {"paths.csv", column_texts<PathEventRow>()},
+      {"barriers.csv", column_texts<HitRow>()},        {"envelopes.csv", column_texts<EnvelopeRow>()},
+      {"design.csv", column_texts<DesignRow>()},       {"design_ranking.csv", column_texts<RankingRow>()},
+      {"sources.csv", column_texts<SourceRow>()},      {"releases", project::release_column_texts()},
+      {"layer paths", column_texts<RockLayerRow>()},   {"layer barriers", column_texts<BarrierLayerRow>()},
+      {"layer design", column_texts<DesignLayerRow>()}};
   return tables;
 }
 
@@ -77,7 +75,7 @@ std::string with_tables(const std::string& page, std::set<std::string>& seen) {
 
 TEST(ColumnTables, PageIsNotStale) {
   std::set<std::string> seen;
-  for (const char* name : {"/docs/outputs.md", "/docs/barrier-design.md"})
+  for (const char* name : {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md"})
     expect_fresh(name, with_tables(text_of(std::string(TALUS_SOURCE_DIR) + name), seen));
   EXPECT_EQ(seen.size(), tables().size()) << "every table has its columns in the documentation";
 }

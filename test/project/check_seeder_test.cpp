@@ -43,6 +43,25 @@ TEST_P(SeederKeys, HaveTheseProblems) {
 constexpr const char* triangle = "polygon = [[0, 0], [5, 0], [0, 5]]\n";
 
 const std::vector<SeederCase> seeder_cases{
+    {"TableForAPoint", "table = \"a.csv\"\n",
+     "10: seeder \"Cliff\": a table is given for a point (every row of a table is a place). Write type = \"table\""},
+    {"TableMissing", "type = \"table\"\n",
+     "7: seeder \"Cliff\": table is missing (a table seeder needs the file of its releases). Write table = "
+     "\"releases.csv\""},
+    {"KeysOfATableForARaster",
+     "type = \"raster\"\ncell_m = 1\nmin_slope_deg = 9\ntable = \"a.csv\"\nname_attribute = \"a\"\nrocks_per_row = 2\n",
+     "13: seeder \"Cliff\": table is given for a raster (it belongs to another type of seeder). Leave it out\n"
+     "14: seeder \"Cliff\": name_attribute is given for a raster (it belongs to another type of seeder). Leave it out\n"
+     "15: warning: seeder \"Cliff\": rocks_per_row has no effect (a raster seeder has no rows)"},
+    {"LayerOfAText", "type = \"table\"\ntable = \"a.csv\"\nlayer = \"a\"\n",
+     "12: seeder \"Cliff\": layer is given for a text file (it has no layers). Leave it out"},
+    {"PointsOfAMapIn2D", "type = \"table\"\ntable = \"a.gpkg\"\n",
+     "11: seeder \"Cliff\": table is \"a.gpkg\" in 2D (a section has no position on a map). Name a text file (.csv, "
+     ".xyz, "
+     ".txt, .pts or .dat) with columns x_m and z_m",
+     true},
+    {"RocksAndRocksPerRow", "type = \"table\"\ntable = \"a.csv\"\nrocks = 5\nrocks_per_row = 2\n",
+     "13: seeder \"Cliff\": rocks and rocks_per_row are given together (they exclude each other)"},
     {"LinesForAPoint", "lines = \"a.gpkg\"\n",
      "10: seeder \"Cliff\": lines are given for a point (they belong to a line). Write type = \"line\""},
     {"PolygonForAPoint", triangle,
@@ -98,14 +117,14 @@ const std::vector<SeederCase> seeder_cases{
      "around"},
     {"KeysWithoutEffectForAPoint",
      "position = [1, 1, 1]\nlayer = \"a\"\nmin_slope_deg = 40\nrocks_per_cell = 2\nplace = \"centre\"\n",
-     "11: warning: seeder \"Cliff\": layer has no effect (a point seeder has no file of lines or polygons)\n"
+     "11: warning: seeder \"Cliff\": layer has no effect (a point seeder has no file of lines, polygons or rows)\n"
      "12: warning: seeder \"Cliff\": min_slope_deg has no effect (a point seeder has no cells)\n"
      "13: warning: seeder \"Cliff\": rocks_per_cell has no effect (a point seeder has no cells)\n"
      "14: warning: seeder \"Cliff\": place has no effect (a point seeder has no cells)"},
     {"KeysWithoutEffectForAPolygon",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nlayer = \"a\"\nsource_attribute = \"b\"\n",
-     "13: warning: seeder \"Cliff\": layer has no effect (it belongs to a file of lines or polygons)\n"
-     "14: warning: seeder \"Cliff\": source_attribute has no effect (it belongs to a file of lines or polygons)"},
+     "13: warning: seeder \"Cliff\": layer has no effect (it belongs to a file of lines, polygons or rows)\n"
+     "14: warning: seeder \"Cliff\": source_attribute has no effect (it belongs to a file of lines, polygons or rows)"},
     {"AnAreaLaunchedOneWay",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nhorizontal_velocity_m_s = 2\n",
      "13: warning: seeder \"Cliff\": horizontal_velocity_m_s is given without a direction (all rocks of the area start "

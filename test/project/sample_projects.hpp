@@ -276,6 +276,12 @@ mask = "release.tif"
 mask_value = -2
 cell_m = 2.5
 mass_kg = 10
+[[seeder]]
+type = "table"
+table = "releases.gpkg"
+layer = "scars"
+name_attribute = "scar"
+rocks_per_row = 4
 )";
 
 inline const std::vector<const char*> samples{survey,    inline_polylines, polygon_file, in_2d,   inline_mesh,

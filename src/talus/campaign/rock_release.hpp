@@ -20,22 +20,24 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
   record.seeder = SeederId{static_cast<std::uint32_t>(&seeder - model.seeders.data())};
   record.source = start.source;
   Vec3 place = start.point;
-  if (seeder.above_surface) {
+  if (start.above_surface) {
     auto z = surface.elevation(place.x(), place.y());
     if (!z && start.middle) {
       place.head(2) = *start.middle;
       z = surface.elevation(place.x(), place.y());
     }
-    place.z() = z.value_or(place.z()) + *seeder.above_surface;
+    place.z() = z.value_or(place.z()) + *start.above_surface;
   }
-  const Vec3 direction = seeder.direction ? *seeder.direction : fall_line(surface, place);
-  Release release = release_at(seeder, place, direction, draws);
+  const Vec3 direction = ReleaseRow::has(start.given.direction) ? start.given.direction
+                         : seeder.direction                     ? *seeder.direction
+                                                                : fall_line(surface, place);
+  Release release = release_at(seeder, place, direction, draws, start.given);
   const double reach = model.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
   const ClearPlace clear = clear_place(surface, place, reach);
   if (clear.fit != Fit::as_given) {
     release.motion.position.z() = clear.z;
     // A sphere placed at a height above the surface is meant to touch it when lifted: no cause for a warning.
-    record.was_lifted = !seeder.above_surface;
+    record.was_lifted = !start.above_surface;
   }
   if (clear.fit == Fit::no_room) {
     release.has_room = false;

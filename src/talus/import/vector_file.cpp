@@ -66,12 +66,12 @@ OGRLayer& layer_of(GDALDataset& dataset, const VectorRequest& request, RasterPro
   return *found;
 }
 
-std::vector<int> columns_of(OGRLayer& layer, const std::vector<std::string>& attributes, RasterProblems& problems) {
+std::vector<int> columns_of(OGRLayer& layer, const VectorRequest& request, RasterProblems& problems) {
   const OGRFeatureDefn& definition = *layer.GetLayerDefn();
   std::vector<std::string> names;
   for (int i = 0; i < definition.GetFieldCount(); ++i) names.emplace_back(definition.GetFieldDefn(i)->GetNameRef());
   std::vector<int> columns;
-  for (const std::string& attribute : attributes) {
+  for (const std::string& attribute : request.choose ? request.choose(names) : request.attributes) {
     columns.push_back(definition.GetFieldIndex(attribute.c_str()));
     if (columns.back() >= 0) continue;
     problems.refuse(fmt::format("layer \"{}\" has no attribute \"{}\"", layer.GetName(), attribute),
@@ -167,7 +167,7 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
   std::optional<DxfEntities> entities;
   if (is_dxf(*dataset)) entities.emplace(layer, request, problems);
   read.name = entities && !entities->layer().empty() ? entities->layer() : layer.GetName();
-  const std::vector<int> columns = columns_of(layer, request.attributes, problems);
+  const std::vector<int> columns = columns_of(layer, request, problems);
   check_size(layer, problems);
   const OGRSpatialReference* crs = layer.GetSpatialRef();
   // GeoPackages name an absent one "Undefined Cartesian SRS" or "Undefined geographic SRS".

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,8 @@ struct VectorRequest {
   /// The coordinate system of the terrain as WKT; empty: not known. Features are transformed to it vertex by vertex (z
   /// is kept). If it or that of the file is not known, both are assumed to be the same.
   std::string terrain_crs_wkt;
+  /// If given, chooses the attributes to be read from all that the layer has, instead of `attributes`.
+  std::function<std::vector<std::string>(const std::vector<std::string>& names)> choose{};
 };
 
 struct VectorLayer {

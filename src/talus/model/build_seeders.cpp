@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <numbers>
 
+#include "talus/core/stop.hpp"
 #include "talus/import/vector_file.hpp"
 #include "talus/model/build_terrain.hpp"
 #include "talus/model/choose_cells.hpp"
 #include "talus/model/drawn.hpp"
+#include "talus/model/release_table_file.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/varied_section.hpp"
@@ -44,6 +46,9 @@ class SeederBuilder {
       case SeederType::polygon:
       case SeederType::raster:
         is_placed = place_in_cells(s, seeder);
+        break;
+      case SeederType::table:
+        is_placed = place_at_rows(s, seeder);
         break;
     }
     if (off_terrain_ > most_reported) {
@@ -141,19 +146,58 @@ class SeederBuilder {
     std::string found;
     auto cells = choose_cells(s, context, problems_, warnings_, found);
     if (!cells) return false;
-    if (s.rocks_per_cell) {
-      const double rocks = static_cast<double>(*s.rocks_per_cell) * static_cast<double>(cells->cells.size());
-      const double most = setting("seeder", "rocks").range.most;
-      if (static_cast<double>(model_.rocks()) + rocks > most) {
-        return report(s, fmt::format("{} rocks from each of {} cells", *s.rocks_per_cell, cells->cells.size()),
-                      fmt::format("expected at most {:g} rocks in all", most), "Give fewer, or use rocks");
-      }
-      seeder.rocks = static_cast<std::uint64_t>(*s.rocks_per_cell) * cells->cells.size();
-    }
+    if (s.rocks_per_cell && !set_rocks(s, seeder, *s.rocks_per_cell, cells->cells.size(), "cells")) return false;
     seeder.source = cells->sources.front().source;
     seeder.above_surface = s.height_above_m.value_or(0);
     report(fmt::format("{}; {} rocks", found, seeder.rocks));
     seeder.where = std::move(*cells);
+    return true;
+  }
+
+  /// A row of a table is a place.
+  bool place_at_rows(const Seeder& s, talus::Seeder& seeder) {
+    const ReleaseTableContext context{project_, model_, [this](const std::string& name) { return source_of(name); }};
+    ReadReleases read;
+    try {
+      read = read_release_table(s, context, warnings_);
+    } catch (const BadInput& bad) {
+      problems_.append(bad.problems());
+      return false;
+    }
+    const std::size_t rows = read.table.count();
+    if (s.rocks_per_row && !set_rocks(s, seeder, *s.rocks_per_row, rows, "rows")) return false;
+    bool good = true;
+    for (std::size_t row = 0; row < rows; ++row) {
+      stop_point(row);
+      const Vec3& place = read.table.place(row);
+      if (is_on_certain_terrain(place)) continue;
+      good = check_on_terrain(s, place, fmt::format("{} {}: ", read.origin_kind, read.origins[row])) && good;
+    }
+    if (seeder.rocks < rows) {
+      warnings_.add({.severity = Severity::warning,
+                     .file = project_.file.string(),
+                     .line = s.line,
+                     .where = fmt::format("seeder \"{}\"", s.name),
+                     .what = fmt::format("{} of {} rows release no rock", rows - seeder.rocks, rows),
+                     .why = fmt::format("the seeder has {} rocks", seeder.rocks),
+                     .hint = "Leave out rocks, or give rocks_per_row"});
+    }
+    seeder.source = read.table.sources().front().source;
+    report(fmt::format("seeder \"{}\": {} rows of \"{}\", {}; {} rocks", s.name, rows, s.table.string(), read.columns,
+                       seeder.rocks));
+    seeder.where = std::move(read.table);
+    return good;
+  }
+
+  /// `each` rocks from each of `count` places.
+  bool set_rocks(const Seeder& s, talus::Seeder& seeder, std::int64_t each, std::size_t count, const char* places) {
+    const double rocks = static_cast<double>(each) * static_cast<double>(count);
+    const double most = setting("seeder", "rocks").range.most;
+    if (static_cast<double>(model_.rocks()) + rocks > most) {
+      return report(s, fmt::format("{} rocks from each of {} {}", each, count, places),
+                    fmt::format("expected at most {:g} rocks in all", most), "Give fewer, or use rocks");
+    }
+    seeder.rocks = static_cast<std::uint64_t>(each) * count;
     return true;
   }
 
@@ -181,8 +225,12 @@ class SeederBuilder {
     return good;
   }
 
+  [[nodiscard]] bool is_on_certain_terrain(const Vec3& at) const {
+    return !model_.varying && is_on_terrain(at.head(2));
+  }
+
   bool check_on_terrain(const Seeder& s, const Vec3& at, const std::string& which = "") {
-    if (is_on_terrain(at.head(2))) return check_on_varied_section(s, at.x());
+    if (is_on_terrain(at.head(2))) return check_on_varied_section(s, at.x(), which);
     if (++off_terrain_ > most_reported) return false;
     const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
     const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
@@ -191,7 +239,7 @@ class SeederBuilder {
         at.x() >= box.low.x() && at.x() <= box.high.x() && at.y() >= box.low.y() && at.y() <= box.high.y();
     const bool is_flat = project_.is_2d();
     return report(s,
-                  is_flat ? fmt::format("x = {:.10g} is off the terrain", p.x())
+                  is_flat ? fmt::format("{}x = {:.10g} is off the terrain", which, p.x())
                           : fmt::format("{}({:.10g}, {:.10g}) is off the terrain", which, p.x(), p.y()),
                   is_flat ? fmt::format("the section extends from x = {:.10g} to {:.10g}", low.x(), high.x())
                   : is_within
@@ -204,13 +252,13 @@ class SeederBuilder {
   }
 
   /// Checks that a section with varying vertices has ground at x for every rock.
-  bool check_on_varied_section(const Seeder& s, double x) {
+  bool check_on_varied_section(const Seeder& s, double x, const std::string& which) {
     if (!model_.varying) return true;
     const CertainStretch certain = certain_stretch(project_.terrain);
     const double origin = model_.frame.origin.x();
     if (x >= certain.from - origin && x <= certain.to - origin) return true;
     if (++off_terrain_ > most_reported) return false;
-    return report(s, fmt::format("x = {:.10g} may be off the terrain", x + origin), why_uncertain(certain),
+    return report(s, fmt::format("{}x = {:.10g} may be off the terrain", which, x + origin), why_uncertain(certain),
                   "Move it inwards, or reduce the standard deviations in x of the end vertices");
   }
 
@@ -228,8 +276,8 @@ void SeederBuilder::set_size_and_speed(const Seeder& s, talus::Seeder& seeder) {
   } else if (s.volume_m3) {
     seeder.size_of = SizeOf::volume;
     seeder.size = sampler_of("volume_m3", *s.volume_m3);
-  } else {
-    seeder.size = sampler_of("mass_kg", s.mass_kg);
+  } else if (s.mass_kg) {
+    seeder.size = sampler_of("mass_kg", *s.mass_kg);
   }
   seeder.density = sampler_of("density_kg_m3", s.density_kg_m3);
   seeder.direction.reset();

@@ -72,6 +72,24 @@ void put(ByteWriter& out, const ReleaseCells& cells) {
   }
 }
 
+void put(ByteWriter& out, const ReleaseTable& table) {
+  out.count(table.count());
+  table.visit_columns([&](const auto& column) {
+    out.count(column.size());
+    for (const auto& value : column) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Vec3>) {
+        put(out, value);
+      } else {
+        out.put(value);
+      }
+    }
+  });
+  for (const ReleaseTable::Run& run : table.sources()) {
+    out.put(run.first);
+    out.put(run.source.index);
+  }
+}
+
 void put(ByteWriter& out, const talus::Seeder& seeder) {
   out.text(seeder.name);
   out.put(seeder.source.index);

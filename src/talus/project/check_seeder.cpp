@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "talus/files/file_formats.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
@@ -22,7 +23,7 @@ bool SeederRules::misses(std::string_view key) const { return !has(key) && !is_m
 void SeederRules::check() const {
   if (type_is_known && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) check_cells();
   check_files();
-  if (misses("mass_kg") && misses("volume_m3") && misses("diameter_m")) {
+  if (seeder.type != SeederType::table && misses("mass_kg") && misses("volume_m3") && misses("diameter_m")) {
     refuse("mass_kg", "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
   }
 }
@@ -38,6 +39,10 @@ std::string_view SeederRules::check_place() const {
   switch (seeder.type) {
     case SeederType::point:
       if (has_position) return "";
+      if (has("table")) {
+        return refuse("table", "a table is given for a point", "every row of a table is a place",
+                      "Write type = \"table\"");
+      }
       if (has_points || has_lines) {
         const std::string_view key = has_points ? "points" : "lines";
         return refuse(key, fmt::format("{} are given for a point", key), "they belong to a line",
@@ -62,6 +67,10 @@ std::string_view SeederRules::check_place() const {
       if (!misses("polygons") || !misses("polygon")) return "";
       return refuse("polygons", "polygons is missing", "a polygon seeder needs polygons or polygon",
                     "Write polygons = \"cliffs.gpkg\", or polygon = [[x, y], ...]");
+    case SeederType::table:
+      if (has("table") || !misses("table")) return "";
+      return refuse("table", "table is missing", "a table seeder needs the file of its releases",
+                    "Write table = \"releases.csv\"");
     case SeederType::raster:
       break;
   }
@@ -106,6 +115,15 @@ void SeederRules::check_files() const {
   check_file("lines", seeder.lines);
   check_file("polygons", seeder.polygons);
   check_file("mask", seeder.mask);
+  check_file("table", seeder.table);
+  if (!accepted("table") || seeder.type != SeederType::table) return;
+  const bool is_text = is_of_kind(seeder.table, FileKind::point_text);
+  if (!is_text && is_2d) {
+    refuse("table", fmt::format("table is \"{}\" in 2D", seeder.table.string()), "a section has no position on a map",
+           "Name a text file (" + endings_in_words(FileKind::point_text) + ") with columns x_m and z_m");
+  }
+  if (is_text && accepted("layer"))
+    refuse("layer", "layer is given for a text file", "it has no layers", "Leave it out");
 }
 
 }  // namespace talus::project

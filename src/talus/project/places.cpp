@@ -105,7 +105,7 @@ bool ValueReader::into(const Value& value, DirectionSlot slot) {
   constexpr double shortest = 1e-9;  // the square of a much shorter one underflows
   if (std::hypot(read[0], read[1], read[2]) < shortest) return refuse_kind(value, "a direction whose length is not 0");
   if (two_dimensional_ && read[1] != 0) return refuse_kind(value, "y to be 0 in a 2D analysis");
-  if (read[2] != 0 && !value.row.contains("speed_m_s")) {
+  if (read[2] != 0 && !value.row.contains("speed_m_s") && !value.row.contains("table")) {
     return refuse(value, fmt::format("{} is {}", value.name, quoted(value.node)),
                   "it is the direction of the horizontal velocity; expected z to be 0",
                   "For a velocity that points up or down, give speed_m_s");

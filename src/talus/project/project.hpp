@@ -132,7 +132,7 @@ struct Area {
   int line = 0;                                // in the project file, for later messages
 };
 
-enum class SeederType { point, line, polygon, raster };
+enum class SeederType { point, line, polygon, raster, table };
 
 /// [[seeder]]
 struct Seeder {
@@ -146,8 +146,10 @@ struct Seeder {
   std::filesystem::path lines;                 // of a line seeder, instead of points; relative to the project file
   std::filesystem::path polygons;              // of a polygon seeder; relative to the project file
   std::vector<std::array<double, 2>> polygon;  // of a polygon seeder, on plan, instead of polygons
-  std::string layer;                           // of the file of lines or polygons
-  std::string source_attribute;                // of the lines or polygons: its values are the sources of the rocks
+  std::filesystem::path table;                 // of a table seeder; relative to the project file
+  std::string layer;                           // of the file of lines, polygons or points
+  std::string source_attribute;                // of its features or rows: its values are the sources of the rocks
+  std::string name_attribute;                  // of the rows of a table; empty: `name`, if there is one
   std::optional<double> min_slope_deg, max_slope_deg;  // of the cells of a polygon or raster seeder
   std::filesystem::path mask;                          // a raster that selects cells; relative to the project file
   std::optional<std::int64_t> mask_value;              // the selected value; without it, all but 0
@@ -155,7 +157,8 @@ struct Seeder {
   PlaceInCell place = PlaceInCell::random;
   std::int64_t rocks = 1;
   std::optional<std::int64_t> rocks_per_cell;  // instead of rocks
-  Distribution mass_kg = constant(1000);       // exactly one of mass, volume and diameter is given
+  std::optional<std::int64_t> rocks_per_row;   // instead of rocks; of a table without either: 1
+  std::optional<Distribution> mass_kg;         // exactly one of mass, volume and diameter is given; or a table has them
   std::optional<Distribution> volume_m3;
   std::optional<Distribution> diameter_m;
   Distribution density_kg_m3 = constant(2700);

@@ -54,17 +54,31 @@ void complete(Project& project) {
   }
 }
 
+/// Each row of a table releases one rock, unless the project gives another number.
+void count_rows(const Document& document, Project& project) {
+  const toml::array* rows = document.root()["seeder"].as_array();
+  for (std::size_t i = 0; i < project.seeders.size(); ++i) {
+    Seeder& seeder = project.seeders[i];
+    const toml::table* row = rows ? (*rows)[i].as_table() : nullptr;
+    if (seeder.type == SeederType::table && !seeder.rocks_per_row && row && !row->contains("rocks"))
+      seeder.rocks_per_row = 1;
+  }
+}
+
 Problem about_option(std::string option, std::string what, std::string why) {
   return {.file = std::move(option), .where = {}, .what = std::move(what), .why = std::move(why), .hint = {}};
 }
 
-/// The number of rocks of a seeder with rocks_per_cell, and so its share of a total, is known only with the terrain.
-void refuse_rocks_per_cell(const Project& project, std::int64_t total, Problems& problems) {
+/// The number of rocks of a seeder with rocks_per_cell or rocks_per_row, and so its share of a total, is known only
+/// with the terrain or the table.
+void refuse_rocks_per_place(const Project& project, std::int64_t total, Problems& problems) {
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
-    if (!project.seeders[i].rocks_per_cell) continue;
+    const Seeder& seeder = project.seeders[i];
+    if (!seeder.rocks_per_cell && !seeder.rocks_per_row) continue;
+    const std::string_view place = seeder.rocks_per_cell ? "cell" : "row";
     Problem problem = about_option(
         fmt::format("--rocks {}", total), fmt::format("cannot be shared among the {} seeders", project.seeders.size()),
-        fmt::format("seeder {} has rocks_per_cell, and its cells are not counted yet", i + 1));
+        fmt::format("seeder {} has rocks_per_{}, and its {}s are not counted yet", i + 1, place, place));
     problem.hint = "Give it rocks instead, or set the rocks of each seeder: --set seeder.0.rocks=...";
     problems.add(std::move(problem));
     return;
@@ -123,7 +137,8 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
     problems.add(about_option(fmt::format("--seed {}", *overrides.seed), "this is not a seed",
                               fmt::format("expected 0 to {}", most_seed)));
   }
-  if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_cell(project, *overrides.rocks, problems);
+  count_rows(document, project);
+  if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_place(project, *overrides.rocks, problems);
   if (!problems.has_errors()) complete(project);
   project.named_files = reader.named_files();
   check(project, document, reader.refused(), problems);
@@ -131,7 +146,10 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   if (problems.has_errors()) throw BadInput(std::move(problems));
 
   if (overrides.rocks) {
-    if (project.seeders.size() == 1) project.seeders.front().rocks_per_cell.reset();
+    if (project.seeders.size() == 1) {
+      project.seeders.front().rocks_per_cell.reset();
+      project.seeders.front().rocks_per_row.reset();
+    }
     share_rocks(project.seeders, *overrides.rocks);
   }
   if (overrides.seed) project.sampling.seed = *overrides.seed;

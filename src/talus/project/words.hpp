@@ -36,7 +36,7 @@ inline constexpr std::tuple enumerations{
     worded<FrictionSource>("material", "tangential_restitution", "zero"),
     worded<MaterialSampling>("per_impact", "per_rock"),
     worded<SamplingMethod>("monte_carlo", "latin_hypercube"),
-    worded<SeederType>("point", "line", "polygon", "raster"),
+    worded<SeederType>("point", "line", "polygon", "raster", "table"),
     worded<PlaceInCell>("random", "centre"),
     worded<Forest>("none", "open", "medium", "dense"),
     worded<DistributionKind>("none", "normal", "uniform", "triangular", "beta", "exponential", "lognormal", "gamma"),

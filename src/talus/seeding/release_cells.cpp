@@ -2,11 +2,12 @@
 
 #include <algorithm>
 
+#include "talus/seeding/even_share.hpp"
+
 namespace talus {
 
 std::size_t ReleaseCells::entry_of(std::uint64_t k, std::uint64_t n) const {
-  __extension__ using Wide = unsigned __int128;  // k c has up to 72 bits
-  return static_cast<std::size_t>(Wide{k} * cells.size() / n);
+  return place_of_share(k, n, cells.size());
 }
 
 SourceId ReleaseCells::source_of(std::size_t entry) const {

@@ -51,6 +51,11 @@ std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, Sam
       begins(first_rock_where(seeder, [&](std::uint64_t k) { return cells->entry_of(k, seeder.rocks) >= run.first; }),
              run.source);
     }
+  } else if (const auto* table = std::get_if<ReleaseTable>(&seeder.where)) {
+    for (const ReleaseTable::Run& run : table->sources()) {
+      begins(first_rock_where(seeder, [&](std::uint64_t k) { return table->row_of(k, seeder.rocks) >= run.first; }),
+             run.source);
+    }
   } else {
     begins(0, lines != nullptr ? lines->source_of(0) : seeder.source);
   }
@@ -63,47 +68,78 @@ ReleasePlace place_of(const Seeder& seeder, const Draws& draws) {
   if (const auto* lines = std::get_if<ReleaseLines>(&seeder.where)) {
     const double u = draws.one(Stream::release_position);
     const ReleaseLines::Place place = lines->count() > 1 ? lines->at(line_of(seeder, *lines, draws), u) : lines->at(u);
-    return {place.point, place.source, {}};
+    return {.point = place.point, .source = place.source, .above_surface = seeder.above_surface};
   }
   if (const auto* cells = std::get_if<ReleaseCells>(&seeder.where)) {
     const std::size_t entry = cells->entry_of(draws.rock() - seeder.first_rock, seeder.rocks);
     const Vec2 middle = cells->centre_of(entry);
     const Vec2 place =
         cells->place == PlaceInCell::centre ? middle : cells->at(entry, draws.pair(Stream::release_position));
-    return {Vec3(place.x(), place.y(), 0), cells->source_of(entry), middle};
+    return {.point = Vec3(place.x(), place.y(), 0),
+            .source = cells->source_of(entry),
+            .middle = middle,
+            .above_surface = seeder.above_surface};
   }
-  return {std::get<Vec3>(seeder.where), seeder.source, {}};
+  if (const auto* table = std::get_if<ReleaseTable>(&seeder.where)) {
+    const std::size_t row = table->row_of(draws.rock() - seeder.first_rock, seeder.rocks);
+    ReleasePlace place{.point = table->place(row), .source = table->source_of(row), .given = table->given(row)};
+    if (ReleaseRow::has(place.given.above_surface)) place.above_surface = place.given.above_surface;
+    return place;
+  }
+  return {.point = std::get<Vec3>(seeder.where), .source = seeder.source, .above_surface = seeder.above_surface};
 }
 
 static double drawn(const Sampler& sampler, const Draws& draws, Stream stream) {
   return sampler.is_constant() ? sampler.draw(0.5) : sampler.draw(draws.one(stream));
 }
 
-Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& direction, const Draws& draws) {
-  const double density = drawn(seeder.density, draws, Stream::density);
+/// The value of a row, or a draw if the row has none.
+static double given_or_drawn(double given, const Sampler& sampler, const Draws& draws, Stream stream) {
+  return ReleaseRow::has(given) ? given : drawn(sampler, draws, stream);
+}
+
+static Rock rock_of(const Seeder& seeder, const Draws& draws, const ReleaseRow& given) {
+  const double density = given_or_drawn(given.density, seeder.density, draws, Stream::density);
+  if (ReleaseRow::has(given.mass)) return sphere_of_mass(given.mass, density);
+  if (ReleaseRow::has(given.volume)) return sphere_of_mass(given.volume * density, density);
   const double size = drawn(seeder.size, draws, Stream::size);
-  Release release;
   switch (seeder.size_of) {
     case SizeOf::mass:
-      release.rock = sphere_of_mass(size, density);
-      break;
+      return sphere_of_mass(size, density);
     case SizeOf::volume:
-      release.rock = sphere_of_mass(size * density, density);
-      break;
+      return sphere_of_mass(size * density, density);
     case SizeOf::diameter:
-      release.rock = sphere_of_diameter(size, density);
       break;
   }
-  const Vec3 plan = Vec3(direction.x(), direction.y(), 0);
+  return sphere_of_diameter(size, density);
+}
+
+Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& direction, const Draws& draws,
+                   const ReleaseRow& given) {
+  Release release;
+  release.rock = rock_of(seeder, draws, given);
+  const bool has_velocity = ReleaseRow::has(given.velocity);
+  const bool has_parts = ReleaseRow::has(given.horizontal) || ReleaseRow::has(given.vertical);
+  const bool moves_on_plan = has_velocity && given.velocity.head<2>().norm() > 0;
+  const Vec3& forwards = moves_on_plan ? given.velocity : direction;
+  const Vec3 plan = Vec3(forwards.x(), forwards.y(), 0);
   const Vec3 heading = plan.norm() > 0 ? Vec3(plan.normalized()) : Vec3(Vec3::UnitX());
   release.motion.position = place;
-  if (seeder.speed) {
-    release.motion.velocity = drawn(*seeder.speed, draws, Stream::horizontal_velocity) * direction;
+  if (has_velocity) {
+    release.motion.velocity = given.velocity;
+  } else if (ReleaseRow::has(given.speed) || (seeder.speed && !has_parts)) {
+    const double speed =
+        ReleaseRow::has(given.speed) ? given.speed : drawn(*seeder.speed, draws, Stream::horizontal_velocity);
+    release.motion.velocity = speed * direction;
   } else {
-    release.motion.velocity = drawn(seeder.horizontal, draws, Stream::horizontal_velocity) * heading +
-                              drawn(seeder.vertical, draws, Stream::vertical_velocity) * Vec3::UnitZ();
+    release.motion.velocity =
+        given_or_drawn(given.horizontal, seeder.horizontal, draws, Stream::horizontal_velocity) * heading +
+        given_or_drawn(given.vertical, seeder.vertical, draws, Stream::vertical_velocity) * Vec3::UnitZ();
   }
-  release.motion.spin = drawn(seeder.spin, draws, Stream::spin) * Vec3::UnitZ().cross(heading);
+  release.motion.spin =
+      ReleaseRow::has(given.spin_vector)
+          ? given.spin_vector
+          : Vec3(given_or_drawn(given.spin, seeder.spin, draws, Stream::spin) * Vec3::UnitZ().cross(heading));
   return release;
 }
 

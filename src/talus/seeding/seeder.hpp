@@ -13,6 +13,7 @@
 #include "talus/seeding/release.hpp"
 #include "talus/seeding/release_cells.hpp"
 #include "talus/seeding/release_lines.hpp"
+#include "talus/seeding/release_table.hpp"
 
 namespace talus {
 
@@ -20,11 +21,13 @@ enum class SizeOf { mass, volume, diameter };
 
 struct Seeder {
   std::string name;
-  SourceId source;  // of rocks from a point, for results by source; lines and cells have their own
+  SourceId source;  // of rocks from a point, for results by source; lines, cells and rows have their own
   std::uint64_t first_rock = 0;
   std::uint64_t rocks = 1;
-  std::variant<Vec3, ReleaseLines, ReleaseCells> where = Vec3(0, 0, 0);  // a point, lines or cells; local coordinates
-  /// Rocks are released this far above the surface [m], not at the places' own z; always given for cells.
+  /// A point, lines, cells or the rows of a table; local coordinates.
+  std::variant<Vec3, ReleaseLines, ReleaseCells, ReleaseTable> where = Vec3(0, 0, 0);
+  /// Rocks are released this far above the surface [m], not at the places' own z; always given for cells, and not used
+  /// for tables, whose rows give it.
   std::optional<double> above_surface;
   SizeOf size_of = SizeOf::mass;
   Sampler size;     // of the mass [kg], the volume [m3] or the diameter [m]
@@ -43,6 +46,8 @@ struct ReleasePlace {
   SourceId source;
   /// The middle of its cell, which is known to be on the terrain; `point` may be over a small hole.
   std::optional<Vec2> middle;
+  std::optional<double> above_surface;  // [m]; instead of the point's z
+  ReleaseRow given;                     // what its row of a table gives
 };
 
 /// Consecutive rocks from one source.
@@ -56,7 +61,9 @@ struct SourceRun {
 
 [[nodiscard]] ReleasePlace place_of(const Seeder& seeder, const Draws& draws);
 
-/// The rock and its motion at `place`. `direction`: the seeder's, or the fall line there.
-[[nodiscard]] Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& direction, const Draws& draws);
+/// The rock and its motion at `place`. `direction`: that of the row or the seeder, or the fall line there. What the row
+/// of a table gives replaces what the seeder would.
+[[nodiscard]] Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& direction, const Draws& draws,
+                                 const ReleaseRow& given = {});
 
 }  // namespace talus

@@ -36,6 +36,7 @@ const kinds: Partial<Record<Name, FileKind[]>> = {
   lines: ['vector'],
   boundary: ['vector'],
   polygons: ['vector'],
+  table: ['points', 'vector'],
 };
 
 export function fittingFiles(key: Name, list: readonly FolderFile[]): FolderFile[] {

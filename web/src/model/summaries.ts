@@ -31,7 +31,9 @@ function seeder(row: Row<'seeder'>): string {
   const rocks =
     row.rocks_per_cell !== undefined
       ? `${number(row.rocks_per_cell)} ${row.rocks_per_cell === 1 ? 'rock' : 'rocks'} a cell`
-      : counted(built?.rocks ?? Number(row.rocks ?? defaultOf('seeder', 'rocks')), 'rock');
+      : row.type === 'table' && built === undefined && row.rocks === undefined
+        ? `${number(row.rocks_per_row ?? 1)} ${(row.rocks_per_row ?? 1) === 1 ? 'rock' : 'rocks'} a row`
+        : counted(built?.rocks ?? Number(row.rocks ?? defaultOf('seeder', 'rocks')), 'rock');
   return `${type}, ${rocks}`;
 }
 

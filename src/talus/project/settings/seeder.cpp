@@ -32,13 +32,14 @@ Need of_cells() {
           .why = "a {} seeder has no cells"};
 }
 
-Need of_lines_or_polygons() {
-  return {.any_of = {is("type", {word(SeederType::line), word(SeederType::polygon)})},
-          .why = "a {} seeder has no file of lines or polygons"};
+Need of_types_with_files() {
+  return {.any_of = {is("type", {word(SeederType::line), word(SeederType::polygon), word(SeederType::table)})},
+          .why = "a {} seeder has no file of lines, polygons or rows"};
 }
 
-Need of_a_vector_file() {
-  return {.any_of = {given("lines"), given("polygons")}, .why = "it belongs to a file of lines or polygons"};
+Need of_a_file() {
+  return {.any_of = {given("lines"), given("polygons"), given("table")},
+          .why = "it belongs to a file of lines, polygons or rows"};
 }
 
 Need on_a_map() {
@@ -48,7 +49,7 @@ Need on_a_map() {
 }  // namespace
 
 Table seeder_table() {
-  constexpr std::string_view one_size = "one of mass_kg, volume_m3 and diameter_m is required";
+  constexpr std::string_view one_size = "one of mass_kg, volume_m3 and diameter_m is required, unless a table gives it";
   return {
       .key = "seeder",
       .repeated = true,
@@ -70,8 +71,9 @@ Table seeder_table() {
                .slot = member(&Seeder::type),
                .group = "Where rocks start",
                .meaning =
-                   "Rocks start at one `position`, at random along lines (`points` or `lines`), or from the cells "
-                   "inside polygons (`polygons` or `polygon`) or of a raster (selected by `mask` or `min_slope_deg`).",
+                   "Rocks start at one `position`, at random along lines (`points` or `lines`), from the cells inside "
+                   "polygons (`polygons` or `polygon`) or of a raster (selected by `mask` or `min_slope_deg`), or from "
+                   "the rows of a `table`.",
                .source = "RocFall3 for points and lines"},
               {.key = "position",
                .slot = position_slot(),
@@ -128,21 +130,43 @@ Table seeder_table() {
                .topic = topics::cells,
                .meaning = "3D: three or more corners [x, y] of one polygon on plan, in terrain coordinates.",
                .source = "Talus"},
+              {.key = "table",
+               .slot = member(&Seeder::table),
+               .without_it = "required for a table",
+               .applies_when = {of_type(SeederType::table)},
+               .title = "Table of releases",
+               .group = "Where rocks start",
+               .topic = topics::release_table,
+               .meaning =
+                   "A file with a release in each row: text with columns such as `x_m`, `y_m`, `z_m`, `vx_m_s` "
+                   "and `mass_kg`; or, in 3D, points of a vector file (GeoPackage, Shapefile, GeoJSON, ...), in "
+                   "any coordinate system, with such attributes. What a row does not give follows from the other "
+                   "settings of the seeder. The path is relative to the project file.",
+               .source = "Talus"},
+              {.key = "name_attribute",
+               .slot = member(&Seeder::name_attribute),
+               .without_it = "the column `name`, if there is one",
+               .applies_when = {of_type(SeederType::table)},
+               .title = "Column of names",
+               .group = "Where rocks start",
+               .topic = topics::release_table,
+               .meaning = "Column of the table with the names of its rows.",
+               .source = "Talus"},
               {.key = "layer",
                .slot = member(&Seeder::layer),
                .without_it = "the file's only layer",
-               .applies_when = {of_lines_or_polygons(), of_a_vector_file()},
+               .applies_when = {of_types_with_files(), of_a_file()},
                .group = "Where rocks start",
                .topic = topics::vector_files,
-               .meaning = "Layer of the file of lines or polygons.",
+               .meaning = "Layer of the file of lines, polygons or points.",
                .source = "Talus"},
               {.key = "source_attribute",
                .slot = member(&Seeder::source_attribute),
                .without_it = "`source` applies to all",
-               .applies_when = {of_lines_or_polygons(), of_a_vector_file()},
+               .applies_when = {of_types_with_files(), of_a_file()},
                .group = "Where rocks start",
-               .meaning = "Attribute of the lines or polygons that gives the source of their rocks, for results split "
-                          "by source; where it is empty, `source` applies.",
+               .meaning = "Attribute of the lines or polygons, or column of the table, that gives the source of their "
+                          "rocks, for results split by source; where it is empty, `source` applies.",
                .source = "Talus"},
               {.key = "min_slope_deg",
                .slot = member(&Seeder::min_slope_deg),
@@ -222,7 +246,9 @@ Table seeder_table() {
                .slot = member(&Seeder::rocks),
                .range = {.least = 1, .most = most_rocks, .too_low = "a seeder without rocks does nothing"},
                .group = "How many",
-               .meaning = "Total number of rocks; cells get equal numbers, to within one.",
+               .meaning =
+                   "Total number of rocks; cells and rows get equal numbers, to within one. A table without it has "
+                   "one rock for each row.",
                .source = "Talus"},
               {.key = "rocks_per_cell",
                .slot = member(&Seeder::rocks_per_cell),
@@ -232,6 +258,15 @@ Table seeder_table() {
                .group = "How many",
                .topic = topics::cells,
                .meaning = "Polygon and raster: number of rocks from each cell.",
+               .source = "Talus"},
+              {.key = "rocks_per_row",
+               .slot = member(&Seeder::rocks_per_row),
+               .range = {.least = 1, .most = most_rocks, .too_low = "a seeder without rocks does nothing"},
+               .without_it = "1, or given by `rocks`",
+               .applies_when = {{.any_of = {is("type", {word(SeederType::table)})}, .why = "a {} seeder has no rows"}},
+               .group = "How many",
+               .topic = topics::release_table,
+               .meaning = "Table: number of rocks from each row.",
                .source = "Talus"},
               {.key = "mass_kg",
                .slot = member(&Seeder::mass_kg),
@@ -319,7 +354,7 @@ Table seeder_table() {
       .choices = {{{"position"}, {"points"}},
                   {{"points"}, {"lines"}},
                   {{"polygon"}, {"polygons"}},
-                  {{"rocks"}, {"rocks_per_cell"}},
+                  {{"rocks"}, {"rocks_per_cell"}, {"rocks_per_row"}},
                   {{"mass_kg"}, {"volume_m3"}, {"diameter_m"}},
                   {{"horizontal_velocity_m_s", "vertical_velocity_m_s"}, {"speed_m_s"}}},
       .groups = {{""}, {"Where rocks start"}, {"How many"}, {"How large"}, {"How fast"}},
