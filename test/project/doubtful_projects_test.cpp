@@ -120,6 +120,10 @@ vtk = true
      "slope.toml:25: warning: seeder \"Crest\": mass_kg has the mean 1000, but its draws have the mean 1239 (they lie "
      "between 1000 and 3139, not symmetrically about the mean). Give limits that are symmetric about the mean, or the "
      "mean that the draws should have"},
+    {"RoughnessOfBothSigns",
+     {{"name = \"Rock\"",
+       "name = \"Rock\"\nroughness_deg = { mean = 0, distribution = \"uniform\", rel_min = 11, rel_max = 11 }"}},
+     ""},
     {"MassInTonnes",
      {{"mass_kg = 1000", "mass_kg = 1"}},
      "slope.toml:25: warning: seeder \"Crest\": mass_kg is 1 (masses are in kilograms, and this stone would fit in a "

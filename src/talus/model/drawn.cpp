@@ -21,13 +21,6 @@ constexpr std::array of_seeder{"mass_kg",
                                "vertical_velocity_m_s",
                                "rotational_velocity_deg_s"};
 
-/// The limits of the draws of a setting: its range, if that applies to the drawn values.
-Bounds bounds_of(std::string_view table, std::string_view key) {
-  // The range of roughness applies to standard deviations; the tilt has both signs.
-  if (key == "roughness_deg") return {};
-  return bounds(table, key);
-}
-
 }  // namespace
 
 std::optional<Drawn> drawn(std::string_view key, const Distribution& given) {
@@ -35,8 +28,8 @@ std::optional<Drawn> drawn(std::string_view key, const Distribution& given) {
   if (key == "roughness_deg" && given.kind == DistributionKind::none && given.mean != 0)
     return Drawn{{0, DistributionKind::normal, given.mean, {}, {}}, {-90, 90}};
   const auto is_in = [key](const auto& keys) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
-  if (is_in(of_material)) return Drawn{given, bounds_of("material", key)};
-  if (is_in(of_seeder)) return Drawn{given, bounds_of("seeder", key)};
+  if (is_in(of_material)) return Drawn{given, bounds("material", key)};
+  if (is_in(of_seeder)) return Drawn{given, bounds("seeder", key)};
   return std::nullopt;
 }
 

@@ -113,6 +113,7 @@ const Setting& setting(std::string_view of, std::string_view key) {
 
 Bounds bounds(const Range& range) {
   const Bounds widest;
+  if (!range.limits_draws) return widest;
   return {std::max(range.least, widest.least), std::min(range.most, widest.most)};
 }
 

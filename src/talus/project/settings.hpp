@@ -30,6 +30,7 @@ struct Range {
   bool least_excluded = false;
   bool most_excluded = false;
   bool infinite_allowed = false;  // `inf` is permitted
+  bool limits_draws = true;       // of a distribution; else only its mean
   std::string_view too_low{};     // why a smaller number makes no sense
   std::string_view too_high{};    // why a larger number makes no sense
 

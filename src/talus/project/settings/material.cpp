@@ -64,7 +64,8 @@ Table material_table() {
               {.key = "roughness_deg",
                .slot = member(&Material::roughness_deg),
                .unit = "deg",
-               .range = {.least = 0, .most = 90, .most_excluded = true},
+               .range =
+                   {.least = 0, .most = 90, .most_excluded = true, .limits_draws = false},  // tilts have both signs
                .group = "Impact",
                .topic = topics::points,
                .meaning = "Standard deviation of the random tilt of the ground at an impact; 0 is smooth.",
