@@ -28,7 +28,7 @@ namespace {
 using enum ReleaseColumn;
 using Column = ReleaseColumn;
 
-constexpr double radians = std::numbers::pi / 180;
+constexpr double radians_per_degree = std::numbers::pi / 180;
 
 /// A row of the file.
 struct FileRow {
@@ -61,7 +61,7 @@ class RowReader {
     const Vec3 place = place_of(given);
     read_velocity(given);
     given.spin_vector = vector_of(wx, wy, wz, "spin");
-    given.spin = value(spin) * radians;
+    given.spin = value(spin) * radians_per_degree;
     read_size(given);
     std::string name = text_of(columns_.name);
     const std::string source = text_of(columns_.source);
@@ -187,7 +187,8 @@ class RowReader {
     given.horizontal = value(horizontal);
     given.vertical = value(vertical);
     if (has(azimuth)) {
-      const double on_plan = value(azimuth) * radians, down = has(plunge) ? value(plunge) * radians : 0;
+      const double on_plan = value(azimuth) * radians_per_degree,
+                   down = has(plunge) ? value(plunge) * radians_per_degree : 0;
       given.direction = {std::sin(on_plan) * std::cos(down), std::cos(on_plan) * std::cos(down), -std::sin(down)};
     } else if (has(plunge)) {
       refuse("azimuth_deg is empty", "plunge_deg is given");
