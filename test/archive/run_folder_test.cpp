@@ -218,7 +218,7 @@ TEST(RunFolderRefuses, TablesWithOtherColumns) {
   EXPECT_EQ(
       message_about("endpoints.csv", "rock,x,y\n"),
       "DIR/endpoints.csv:1: the columns are \"rock,x,y\" (expected \"rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,"
-      "runout_total_m,time_s,events,end_reason,mass_kg,radius_m,max_ke_J,max_bounce_m\")");
+      "runout_total_m,lateral_m,time_s,events,end_reason,ground,mass_kg,radius_m,max_ke_J,max_bounce_m\")");
   EXPECT_EQ(message_about("paths.csv", ""),
             std::string("DIR/paths.csv:1: the file is empty (its first line must name the columns)") + damaged);
 }
@@ -233,7 +233,7 @@ TEST(RunFolderRefuses, IncompleteRows) {
 TEST(RunFolderRefuses, ValuesThatAreNotNumbers) {
   const auto row = [](const std::string& rock, const std::string& x) {
     return sample_run::endpoints_head + rock + ",seeder 1," + x +
-           ",0,-12.2,4.5,12.2,13.01,2.25,4,at rest,1000,0.4455,120000,1.5\n";
+           ",0,-12.2,4.5,12.2,13.01,,2.25,4,at rest,Type One,1000,0.4455,120000,1.5\n";
   };
   EXPECT_EQ(message_about("endpoints.csv", row("0", "5.1m")),
             "DIR/endpoints.csv:2: x_m: \"5.1m\" is not a number (expected a finite number)");

@@ -113,14 +113,14 @@ TEST(TableFiles, ResumeAtTheirMarks) {
   TableContext context;
   context.seeders = {"crest"};
   {
-    TableFiles files(work / "", context, TableRocks(10, {}, 0));
+    TableFiles files(work / "", context, TableRocks(10, {.paths = 0}));
     files.begin();
     add_rock(files, 0);
     marks = files.sync();
     files.keep_parts();
     add_rock(files, 7);  // after the mark: dropped
   }
-  TableFiles files(work / "", context, TableRocks(10, {}, 0));
+  TableFiles files(work / "", context, TableRocks(10, {.paths = 0}));
   files.resume(marks);
   add_rock(files, 1);
   files.finish();

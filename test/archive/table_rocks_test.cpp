@@ -13,7 +13,7 @@ TEST(TableRocks, HaveAnEndPointForEveryPath) {
   const TableRocks::Limit all;
   for (const TableRocks::Limit endpoints : {all, TableRocks::Limit(0), TableRocks::Limit(30), TableRocks::Limit(777)}) {
     for (const TableRocks::Limit paths : {all, TableRocks::Limit(0), TableRocks::Limit(100)}) {
-      const TableRocks tables(rocks, endpoints, paths);
+      const TableRocks tables(rocks, {endpoints, paths});
       std::uint64_t ends = 0, ways = 0;
       for (std::uint64_t rock = 0; rock < rocks; ++rock) {
         EXPECT_EQ(tables.endpoints_before(rock), ends);

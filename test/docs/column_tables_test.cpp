@@ -43,12 +43,12 @@ using Tables = std::map<std::string, std::vector<ColumnText>>;
 
 const Tables& tables() {
   static const Tables tables{
-      {"endpoints.csv", column_texts<EndpointRow>()},  {"paths.csv", column_texts<PathEventRow>()},
-      {"barriers.csv", column_texts<HitRow>()},        {"envelopes.csv", column_texts<EnvelopeRow>()},
-      {"design.csv", column_texts<DesignRow>()},       {"design_ranking.csv", column_texts<RankingRow>()},
-      {"sources.csv", column_texts<SourceRow>()},      {"releases", project::release_column_texts()},
-      {"layer paths", column_texts<RockLayerRow>()},   {"layer barriers", column_texts<BarrierLayerRow>()},
-      {"layer design", column_texts<DesignLayerRow>()}};
+      {"endpoints.csv", column_texts<EndpointRow>()}, {"paths.csv", column_texts<PathEventRow>()},
+      {"barriers.csv", column_texts<HitRow>()},       {"envelopes.csv", column_texts<EnvelopeRow>()},
+      {"design.csv", column_texts<DesignRow>()},      {"design_ranking.csv", column_texts<RankingRow>()},
+      {"sources.csv", column_texts<SourceRow>()},     {"releases", project::release_column_texts()},
+      {"layer paths", column_texts<RockLayerRow>()},  {"layer barriers", column_texts<BarrierLayerRow>()},
+      {"impacts.csv", column_texts<ImpactRow>()},     {"layer design", column_texts<DesignLayerRow>()}};
   return tables;
 }
 

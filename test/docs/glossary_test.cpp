@@ -99,7 +99,7 @@ class RunWithTables {
  public:
   RunWithTables() {
     const std::string project = folder_.write("project.toml", bytes_of(tutorial("2d")) + "\n[design]\n");
-    said_ = talus_says("run " + project + " --quiet -o " + (folder_ / "out").string());
+    said_ = talus_says("run " + project + " --quiet --set output.impacts=all -o " + (folder_ / "out").string());
   }
   [[nodiscard]] const Said& said() const { return said_; }
   [[nodiscard]] std::string problem_of_column(const std::string& file, const std::string& column,

@@ -152,7 +152,7 @@ TEST(Maps, CountRocksThatStayAsDeposits) {
 
 TEST(Maps, CountEveryImpact) {
   Seen seen = rock_of({flight({0.5, 0.5, 1}, {1, 0, 0}, 1)});
-  seen.log.impacts = {{0.6, 0.5, 0}, {0.7, 0.5, 0}, {1.5, 0.5, 0}};
+  seen.log.impact_places = {{0.6, 0.5, 0}, {0.7, 0.5, 0}, {1.5, 0.5, 0}};
   const Maps maps = maps_of({seen, seen});
   EXPECT_EQ(tally_at(maps, {0, 0})->impacts(), 4U);
   EXPECT_EQ(tally_at(maps, {1, 0})->impacts(), 2U);
@@ -173,7 +173,7 @@ std::vector<Seen> random_rocks(Dice& dice, int count) {
     }
     const EndReason reason = dice.chance(0.7) ? EndReason::at_rest : EndReason::left_model;
     rocks.push_back(rock_of(std::move(pieces), reason, dice.magnitude(10, 1e5)));
-    for (std::size_t n = dice.below(5); n-- > 0;) rocks.back().log.impacts.push_back(dice.in_cube(4));
+    for (std::size_t n = dice.below(5); n-- > 0;) rocks.back().log.impact_places.push_back(dice.in_cube(4));
   }
   return rocks;
 }
@@ -205,7 +205,7 @@ std::map<Place, Kept> keep_everything(const std::vector<Seen>& rocks) {
     const auto place_of = [](const Vec3& p) {
       return Place(static_cast<std::int32_t>(std::floor(p.x())), static_cast<std::int32_t>(std::floor(p.y())));
     };
-    for (const Vec3& impact : seen.log.impacts) {
+    for (const Vec3& impact : seen.log.impact_places) {
       (void)stays[place_of(impact)];
       ++cells[place_of(impact)].impacts;
     }

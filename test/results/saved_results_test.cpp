@@ -40,7 +40,7 @@ std::vector<Seen> random_rocks(Dice& dice, std::size_t count) {
       log.pieces.push_back({{p, v, {0, 0, -10}}, dice.magnitude(0.05, 1), 0, dice.in_cube(10), false});
       p = log.pieces.back().path.at(log.pieces.back().duration);
       p.z() = std::abs(p.z());
-      if (dice.chance(0.5)) log.impacts.push_back(p);
+      if (dice.chance(0.5)) log.impact_places.push_back(p);
     }
     record.outcome.end.position = p;
     record.outcome.reason = dice.chance(0.1) ? EndReason::lost : EndReason::at_rest;

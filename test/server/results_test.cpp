@@ -92,7 +92,7 @@ TEST_F(Results, OfMapsAgreeWithTheFiles) {
   const auto cells = deposits.get<float>("values", "f32");
   const Json& header = deposits.header;
   for (const Texts& row : endpoints()) {
-    if (row[10] != "at rest") continue;
+    if (row[11] != "at rest") continue;
     const auto column = static_cast<std::size_t>((std::stod(row[2]) - header["origin"][0].get<double>()) /
                                                  header["cell"][0].get<double>());
     const auto line = static_cast<std::size_t>((std::stod(row[3]) - header["origin"][1].get<double>()) /

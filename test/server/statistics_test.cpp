@@ -106,10 +106,10 @@ TEST_F(RunStatistics, CanBeFiltered) {
   EXPECT_EQ(count("seeder=Ledge&seeder=Crest"), 75);
   EXPECT_EQ(count("reason=at%20rest").get<std::size_t>(),
             static_cast<std::size_t>(
-                std::count_if(rows.begin(), rows.end(), [](const Texts& row) { return row[10] == "at rest"; })));
+                std::count_if(rows.begin(), rows.end(), [](const Texts& row) { return row[11] == "at rest"; })));
   EXPECT_EQ(count("min_energy_kJ=100").get<std::size_t>(),
             static_cast<std::size_t>(
-                std::count_if(rows.begin(), rows.end(), [](const Texts& row) { return std::stod(row[13]) >= 1e5; })));
+                std::count_if(rows.begin(), rows.end(), [](const Texts& row) { return std::stod(row[15]) >= 1e5; })));
   const Json none = of("/statistics?of=x_m&min_energy_kJ=1e9").json();
   EXPECT_EQ(none["count"], 0);
   EXPECT_TRUE(none["box"].is_null());

@@ -46,8 +46,8 @@ class Folder {
 };
 
 inline const std::string endpoints_head =
-    "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,time_s,events,end_reason,mass_kg,radius_m,max_ke_J,"
-    "max_bounce_m\n";
+    "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,lateral_m,time_s,events,end_reason,ground,mass_kg,"
+    "radius_m,max_ke_J,max_bounce_m\n";
 inline const std::string paths_head =
     "rock,event,state,time_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,ke_translational_J,"
     "ke_rotational_J,pe_J\n";
@@ -57,7 +57,7 @@ inline const std::string barriers_head =
 
 inline std::string endpoint_row(std::uint64_t rock, double x_m = 5) {
   return std::to_string(rock) + ",seeder 1," + std::to_string(x_m) + ",0,-12.2," + std::to_string(x_m - 0.5) +
-         ",12.2,13.01,2.25,4,at rest,1000,0.4455,120000,1.5\n";
+         ",12.2,13.01,,2.25,4,at rest,Type One,1000,0.4455,120000,1.5\n";
 }
 
 /// Release, impact with a loss of 60 kJ, and a slide to rest.

@@ -134,10 +134,10 @@ TEST(PathPieces, ImpactsAreWhereTheRockStrikesTheGround) {
   Laws laws;
   laws.impact = PlainImpact{};
   const RockLog log = log_of_pieces(surface, {.rn = 0, .rt = 1, .phi = 0.1}, laws, release, {}, outcome);
-  ASSERT_EQ(log.impacts.size(), 2U);  // on the plateau, over whose edge it slides, and on the plain
-  EXPECT_NEAR(log.impacts[0].z(), 8, 1e-9);
-  EXPECT_LT(log.impacts[0].x(), 10);
-  EXPECT_NEAR(log.impacts[1].z(), 0, 1e-9);
+  ASSERT_EQ(log.impact_places.size(), 2U);  // on the plateau, over whose edge it slides, and on the plain
+  EXPECT_NEAR(log.impact_places[0].z(), 8, 1e-9);
+  EXPECT_LT(log.impact_places[0].x(), 10);
+  EXPECT_NEAR(log.impact_places[1].z(), 0, 1e-9);
   EXPECT_EQ(outcome.events, 3);
 }
 
@@ -148,7 +148,7 @@ TEST(PathPieces, AreKeptOnlyOnRequest) {
   RockOutcome with, without;
   const RockLog log = log_of_pieces(surface, {}, {}, release, {}, without, false);
   EXPECT_TRUE(log.pieces.empty());
-  EXPECT_TRUE(log.impacts.empty());
+  EXPECT_TRUE(log.impact_places.empty());
   EXPECT_FALSE(log_of_pieces(surface, {}, {}, release, {}, with).pieces.empty());
   EXPECT_EQ(with.end.position, without.end.position);
 }

@@ -9,9 +9,14 @@
 namespace talus {
 
 TableContext TableContext::of(const Model& model) {
-  TableContext context{model.frame, model.laws.gravity.norm(), model.energy_datum, {}, {}};
+  TableContext context{.frame = model.frame,
+                       .gravity = model.laws.gravity.norm(),
+                       .energy_datum = model.energy_datum,
+                       .runout_frame = model.runout_frame,
+                       .parts = &model.parts};
   for (const Seeder& seeder : model.seeders) context.seeders.push_back(seeder.name);
   for (const Barrier& barrier : model.barriers) context.barriers.push_back(barrier.name);
+  for (const Material& material : model.ground.materials()) context.materials.push_back(material.name);
   return context;
 }
 
@@ -36,20 +41,27 @@ class RowsText {
   CsvMemory memory_;
 };
 
-/// The rows of one rock in a table: `add`s them, and says whether the rock's log must have its path for that.
+/// What most tables need: a row for what every log has.
+struct RowsOfAnyRun {
+  static bool are_wanted(const TableRocks&) { return true; }
+  static bool need_path(const TableRocks&, std::uint64_t) { return false; }
+  static bool need_impacts(const TableRocks&, std::uint64_t) { return false; }
+};
+
+/// The rows of one rock in a table: `add`s them, and says whether the rock's log must have its path or its impacts for
+/// that, and whether a run has the table at all.
 template <class Row>
 struct RowsOfRock;
 
 template <>
-struct RowsOfRock<EndpointRow> {
-  static bool need_path(const TableRocks&, std::uint64_t) { return false; }
+struct RowsOfRock<EndpointRow> : RowsOfAnyRun {
   static void add(RowsText<EndpointRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog&) {
     if (rocks.has_endpoint(record.rock)) text.add(record);
   }
 };
 
 template <>
-struct RowsOfRock<PathEventRow> {
+struct RowsOfRock<PathEventRow> : RowsOfAnyRun {
   static bool need_path(const TableRocks& rocks, std::uint64_t rock) { return rocks.has_path(rock); }
   static void add(RowsText<PathEventRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog& log) {
     if (!rocks.has_path(record.rock)) return;
@@ -58,8 +70,18 @@ struct RowsOfRock<PathEventRow> {
 };
 
 template <>
-struct RowsOfRock<HitRow> {
-  static bool need_path(const TableRocks&, std::uint64_t) { return false; }
+struct RowsOfRock<ImpactRow> : RowsOfAnyRun {
+  static bool are_wanted(const TableRocks& rocks) { return rocks.impacts() > 0; }
+  static bool need_impacts(const TableRocks& rocks, std::uint64_t rock) { return rocks.has_impacts(rock); }
+  static void add(RowsText<ImpactRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog& log) {
+    if (!rocks.has_impacts(record.rock)) return;
+    std::uint64_t number = 0;
+    for (const Impact& impact : log.impacts) text.add(record, ++number, impact);
+  }
+};
+
+template <>
+struct RowsOfRock<HitRow> : RowsOfAnyRun {
   static void add(RowsText<HitRow>& text, const TableRocks&, const RockRecord& record, const RockLog& log) {
     for (const BarrierHit& hit : log.hits) text.add(record, hit);
   }
@@ -71,6 +93,9 @@ class TableObserver : public Observer {
   TableObserver(const TableContext& context, const TableRocks& rocks, TextSink& sink)
       : context_(context), rocks_(rocks), sink_(sink) {}
   [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return RowsOfRock<Row>::need_path(rocks_, rock); }
+  [[nodiscard]] bool wants_impacts(std::uint64_t rock) const override {
+    return RowsOfRock<Row>::need_impacts(rocks_, rock);
+  }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override {
     return std::make_unique<Part>(context_, rocks_);
   }
@@ -91,7 +116,7 @@ class TableObserver : public Observer {
 
 template <class Row>
 ResultTable table_of() {
-  return {Row::file_name, header_of<Row>(),
+  return {Row::file_name, header_of<Row>(), [](const TableRocks& rocks) { return RowsOfRock<Row>::are_wanted(rocks); },
           [](const TableContext& context, const TableRocks& rocks, TextSink& sink) -> std::unique_ptr<Observer> {
             return std::make_unique<TableObserver<Row>>(context, rocks, sink);
           }};
@@ -109,18 +134,28 @@ std::span<const ResultTable> result_tables() {
   return tables;
 }
 
+std::vector<const ResultTable*> tables_with(const TableRocks& rocks) {
+  std::vector<const ResultTable*> tables;
+  for (const ResultTable& table : result_tables()) {
+    if (table.is_wanted(rocks)) tables.push_back(&table);
+  }
+  return tables;
+}
+
 void fill(EndpointRow& row, const TableContext& context, const RockRecord& record) {
   const RockOutcome& outcome = record.outcome;
-  const Runout way = runout(outcome);
+  const Runout way = runout(outcome, context.runout_frame);
   row.rock = record.rock;
   row.seeder = context.seeders[record.seeder.index];
   row.position_m = coordinates(context.frame.global_from_local(outcome.end.position));
   row.runout_xy_m = way.plan;
   row.runout_z_m = way.drop;
   row.runout_total_m = way.total;
+  row.lateral_m = way.lateral;
   row.time_s = outcome.end.time;
   row.events = static_cast<std::uint64_t>(outcome.events);
   row.end_reason = outcome.reason;
+  row.ground = outcome.ground ? context.materials[outcome.ground->index] : "";
   row.mass_kg = record.body.mass;
   row.radius_m = record.body.radius;
   row.max_ke_J = outcome.max_kinetic_energy;
@@ -140,6 +175,27 @@ void fill(PathEventRow& row, const TableContext& context, const RockRecord& reco
   row.ke_translational_J = translational_energy(record.body, seen.motion);
   row.ke_rotational_J = rotational_energy(record.body, seen.motion);
   row.pe_J = record.body.mass * context.gravity * (position.z() - context.energy_datum);
+}
+
+void fill(ImpactRow& row, const TableContext& context, const RockRecord& record, std::uint64_t number,
+          const Impact& impact) {
+  const auto kinetic = [&](const Motion& motion) {
+    return translational_energy(record.body, motion) + rotational_energy(record.body, motion);
+  };
+  row.rock = record.rock;
+  row.impact = number;
+  row.time_s = impact.before.time;
+  row.position_m = coordinates(context.frame.global_from_local(impact.before.position));
+  row.velocity_in_m_s = coordinates(impact.before.velocity);
+  row.spin_in_rad_s = coordinates(impact.before.spin);
+  row.velocity_out_m_s = coordinates(impact.after.velocity);
+  row.spin_out_rad_s = coordinates(impact.after.spin);
+  row.normal = coordinates(impact.normal);
+  row.struck_normal = coordinates(impact.struck_normal);
+  row.ground = context.materials[impact.ground.index];
+  row.facet = context.parts != nullptr ? context.parts->of(impact.source) : impact.source;
+  row.ke_in_J = kinetic(impact.before);
+  row.ke_out_J = kinetic(impact.after);
 }
 
 void fill(HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit) {

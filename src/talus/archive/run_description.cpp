@@ -125,13 +125,15 @@ Vec3 origin_of(const RunDescription& description) {
 }
 
 TableRocks rocks_in_tables(const RunDescription& description) {
-  const auto limit = [&](const char* key) -> TableRocks::Limit {
+  const auto limit = [&](const char* key, const char* without_it) -> TableRocks::Limit {
     const Json::json_pointer place(std::string("/output/") + key);
-    const Json value = description.project.contains(place) ? description.project.at(place) : Json("all");
+    const Json value = description.project.contains(place) ? description.project.at(place) : Json(without_it);
     if (value == "all") return std::nullopt;
     return value == "none" ? 0 : value.get<std::uint64_t>();
   };
-  return TableRocks(description.rocks, limit("endpoints"), limit("paths"));
+  return TableRocks(
+      description.rocks,
+      {.endpoints = limit("endpoints", "all"), .paths = limit("paths", "all"), .impacts = limit("impacts", "none")});
 }
 
 RunDescription description_from(std::string_view json_text) {

@@ -51,12 +51,12 @@ struct GivenDesign {
   static auto fields() { return std::tuple(field("percentiles", &GivenDesign::percentiles)); }
 };
 struct GivenOutput {
-  RockLimit endpoints{}, paths{}, geopackage{};
+  RockLimit endpoints{}, paths{}, impacts{0}, geopackage{};
   bool vtk = false;
   static auto fields() {
     using O = GivenOutput;
-    return std::tuple(field("endpoints", &O::endpoints), field("paths", &O::paths), field("geopackage", &O::geopackage),
-                      field("vtk", &O::vtk));
+    return std::tuple(field("endpoints", &O::endpoints), field("paths", &O::paths),
+                      field_if_any("impacts", &O::impacts), field("geopackage", &O::geopackage), field("vtk", &O::vtk));
   }
 };
 struct GivenProject {
@@ -195,7 +195,9 @@ void complete(RunFacts& facts) {
   const RunSummary& summary = facts.summary;
   const auto project = part_of<GivenProject>(summary.project, "project");
   facts.is_section = summary.terrain.kind == "section";
-  facts.in_tables = TableRocks(summary.rocks.planned, project.output.endpoints.most, project.output.paths.most);
+  facts.in_tables = TableRocks(summary.rocks.planned, {.endpoints = project.output.endpoints.most,
+                                                       .paths = project.output.paths.most,
+                                                       .impacts = project.output.impacts.most});
   facts.geopackage_rocks = project.output.geopackage.most.value_or(summary.rocks.planned);
   facts.wants_geopackage = !facts.is_section && facts.geopackage_rocks > 0;
   facts.wants_vtk = project.output.vtk;

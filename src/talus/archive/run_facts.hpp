@@ -40,7 +40,7 @@ struct SourceStretch {
 struct RunFacts {
   RunSummary summary;  // without its barriers
   bool is_section = false;
-  TableRocks in_tables{0};             // rocks in the tables, if they were done
+  TableRocks in_tables{0, {}};         // rocks in the tables, if they were done
   std::uint64_t geopackage_rocks = 0;  // number of end points, and of paths, in results.gpkg
   bool wants_geopackage = false, wants_vtk = false;
   std::vector<BarrierFacts> barriers;

@@ -1,8 +1,9 @@
 #pragma once
-// The rows and columns of endpoints.csv, paths.csv and barriers.csv, for writers and readers.
+// The rows and columns of endpoints.csv, paths.csv, impacts.csv and barriers.csv, for writers and readers.
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -41,9 +42,12 @@ struct EndpointRow {
   std::uint64_t rock = 0;
   std::string seeder{};
   std::array<double, 3> position_m{};
-  double runout_xy_m = 0, runout_z_m = 0, runout_total_m = 0, time_s = 0;
+  double runout_xy_m = 0, runout_z_m = 0, runout_total_m = 0;
+  std::optional<double> lateral_m{};
+  double time_s = 0;
   std::uint64_t events = 0;
   EndReason end_reason = EndReason::at_rest;
+  std::string ground{};  // empty: it left the model, or there is none
   double mass_kg = 0, radius_m = 0, max_ke_J = 0, max_bounce_m = 0;
 
   static constexpr auto columns() {
@@ -54,12 +58,21 @@ struct EndpointRow {
         quantity("x_m", "m", "x of its centre where it ended", &R::position_m, 0),
         quantity("y_m", "m", "y of its centre", &R::position_m, 1),
         quantity("z_m", "m", "z of its centre", &R::position_m, 2),
-        quantity("runout_xy_m", "m", "distance from release to end on plan", &R::runout_xy_m),
+        quantity("runout_xy_m", "m",
+                 "distance from release to end on plan; with `runout_from` or `runout_along`, from that point or along "
+                 "that line",
+                 &R::runout_xy_m),
         quantity("runout_z_m", "m", "z at the release minus z at the end: positive downwards", &R::runout_z_m),
         quantity("runout_total_m", "m", "straight distance from release to end in space", &R::runout_total_m),
+        quantity("lateral_m", "m",
+                 "with `runout_along`: distance from the line on plan, positive to its left; otherwise empty",
+                 &R::lateral_m),
         quantity("time_s", "s", "time from release to end", &R::time_s),
         quantity("events", "", "number of impacts and hits on barriers", &R::events),
-        word("end_reason", "why the trajectory ended", &R::end_reason), quantity("mass_kg", "kg", "mass", &R::mass_kg),
+        word("end_reason", "why the trajectory ended", &R::end_reason),
+        word("ground", "material of the ground straight below its centre where it ended; empty if it left the model",
+             &R::ground),
+        quantity("mass_kg", "kg", "mass", &R::mass_kg),
         quantity("radius_m", "m", "radius of the equivalent sphere", &R::radius_m),
         quantity("max_ke_J", "J", "maximum total kinetic energy: translational and rotational", &R::max_ke_J),
         quantity("max_bounce_m", "m",
@@ -98,6 +111,54 @@ struct PathEventRow {
         quantity("ke_translational_J", "J", "translational kinetic energy", &R::ke_translational_J),
         quantity("ke_rotational_J", "J", "rotational kinetic energy", &R::ke_rotational_J),
         quantity("pe_J", "J", "potential energy above the datum", &R::pe_J));
+  }
+};
+
+/// A row of impacts.csv: a rock strikes the ground.
+struct ImpactRow {
+  static constexpr const char* file_name = "impacts.csv";
+
+  std::uint64_t rock = 0, impact = 0;
+  double time_s = 0;
+  std::array<double, 3> position_m{}, velocity_in_m_s{}, spin_in_rad_s{}, velocity_out_m_s{}, spin_out_rad_s{},
+      normal{}, struck_normal{};
+  std::string ground{};
+  std::uint64_t facet = 0;
+  double ke_in_J = 0, ke_out_J = 0;
+
+  static constexpr auto columns() {
+    using R = ImpactRow;
+    return std::tuple(
+        key("rock", "number of the rock", &R::rock), key("impact", "number of its impact, from 1", &R::impact),
+        quantity("time_s", "s", "time since the release", &R::time_s),
+        quantity("x_m", "m", "x of its centre", &R::position_m, 0),
+        quantity("y_m", "m", "y of its centre", &R::position_m, 1),
+        quantity("z_m", "m", "z of its centre", &R::position_m, 2),
+        quantity("vx_in_m_s", "m/s", "x of its velocity before the impact", &R::velocity_in_m_s, 0),
+        quantity("vy_in_m_s", "m/s", "y of it", &R::velocity_in_m_s, 1),
+        quantity("vz_in_m_s", "m/s", "z of it", &R::velocity_in_m_s, 2),
+        quantity("wx_in_rad_s", "rad/s", "x of its spin before the impact", &R::spin_in_rad_s, 0),
+        quantity("wy_in_rad_s", "rad/s", "y of it", &R::spin_in_rad_s, 1),
+        quantity("wz_in_rad_s", "rad/s", "z of it", &R::spin_in_rad_s, 2),
+        quantity("vx_out_m_s", "m/s", "x of its velocity after the impact", &R::velocity_out_m_s, 0),
+        quantity("vy_out_m_s", "m/s", "y of it", &R::velocity_out_m_s, 1),
+        quantity("vz_out_m_s", "m/s", "z of it", &R::velocity_out_m_s, 2),
+        quantity("wx_out_rad_s", "rad/s", "x of its spin after the impact", &R::spin_out_rad_s, 0),
+        quantity("wy_out_rad_s", "rad/s", "y of it", &R::spin_out_rad_s, 1),
+        quantity("wz_out_rad_s", "rad/s", "z of it", &R::spin_out_rad_s, 2),
+        quantity("nx", "", "x of the ground's unit normal; at an edge or a vertex, from there to the centre",
+                 &R::normal, 0),
+        quantity("ny", "", "y of it", &R::normal, 1), quantity("nz", "", "z of it", &R::normal, 2),
+        quantity("struck_nx", "", "x of the normal that the impact law used: tilted by the ground's roughness",
+                 &R::struck_normal, 0),
+        quantity("struck_ny", "", "y of it", &R::struck_normal, 1),
+        quantity("struck_nz", "", "z of it", &R::struck_normal, 2),
+        word("ground", "material of the ground", &R::ground),
+        key("facet",
+            "number of the segment, triangle or cell, from 0; on an edge or a vertex one of those that meet there",
+            &R::facet),
+        quantity("ke_in_J", "J", "total kinetic energy before the impact", &R::ke_in_J),
+        quantity("ke_out_J", "J", "total kinetic energy after it", &R::ke_out_J));
   }
 };
 
@@ -140,7 +201,7 @@ struct HitRow {
 
 /// The rows of the tables to which rocks add while they are simulated, in the order of the files: a new table's row is
 /// added here, and result_tables.cpp says which rows a rock has there.
-using ResultRows = std::tuple<EndpointRow, HitRow, PathEventRow>;
+using ResultRows = std::tuple<EndpointRow, HitRow, PathEventRow, ImpactRow>;
 
 inline constexpr const auto& endpoint_columns = column_names<EndpointRow>;
 inline constexpr const auto& path_columns = column_names<PathEventRow>;

@@ -71,10 +71,10 @@ std::filesystem::path find_marked(const std::filesystem::path& folder, const Tab
 
 TableFiles::TableFiles(std::filesystem::path folder, const TableContext& context, const TableRocks& rocks)
     : folder_(std::move(folder)) {
-  for (const ResultTable& table : result_tables()) {
+  for (const ResultTable* table : tables_with(rocks)) {
     auto sink = std::make_unique<Sink>();
-    auto observer = table.make(context, rocks, *sink);
-    entries_.push_back({&table, std::move(sink), std::move(observer)});
+    auto observer = table->make(context, rocks, *sink);
+    entries_.push_back({table, std::move(sink), std::move(observer)});
   }
 }
 

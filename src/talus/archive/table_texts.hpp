@@ -11,12 +11,13 @@
 
 namespace talus {
 
-/// Collects the rows of the tables, in the order of `result_tables`.
+/// Collects the rows of the tables, in the order of `tables_with`.
 class TableTexts {
  public:
-  TableTexts(const TableContext& context, const TableRocks& rocks) : sinks_(result_tables().size()) {
-    for (std::size_t k = 0; k < sinks_.size(); ++k)
-      observers_.push_back(result_tables()[k].make(context, rocks, sinks_[k]));
+  TableTexts(const TableContext& context, const TableRocks& rocks) {
+    const std::vector<const ResultTable*> tables = tables_with(rocks);
+    sinks_.resize(tables.size());
+    for (std::size_t k = 0; k < sinks_.size(); ++k) observers_.push_back(tables[k]->make(context, rocks, sinks_[k]));
   }
   TableTexts(const TableTexts&) = delete;
   TableTexts& operator=(const TableTexts&) = delete;

@@ -56,6 +56,10 @@ void simulate_blocks(const Model& model, std::span<Observer* const> observers, i
       order.keep_rows = [&](std::uint64_t rock) {
         return std::any_of(observers.begin(), observers.end(), [&](const Observer* o) { return o->wants_rows(rock); });
       };
+      order.keep_impacts = [&](std::uint64_t rock) {
+        return std::any_of(observers.begin(), observers.end(),
+                           [&](const Observer* o) { return o->wants_impacts(rock); });
+      };
       order.keep_pieces = pieces;
       order.see = [&](const RockRecord& record, const RockLog& log) {
         for (const auto& part : block->parts) part->see(record, log);

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "talus/results/runout_frame.hpp"
 #include "talus/seeding/seeder.hpp"
 #include "talus/terrain/local_frame.hpp"
 #include "talus/terrain/profile.hpp"
@@ -50,6 +51,7 @@ struct Model {
   std::vector<Seeder> seeders;
   std::vector<std::string> sources;  // names, by SourceId
   double energy_datum = 0;           // elevation of zero potential energy, in the user's coordinates [m]
+  RunoutFrame runout_frame;          // from where runout is counted; local
 
   [[nodiscard]] std::uint64_t rocks() const {
     return seeders.empty() ? 0 : seeders.back().first_rock + seeders.back().rocks;

@@ -98,6 +98,7 @@ class RocksInProgress {
         RockInProgress<Surface>& rock = rocks_[place];
         rock.log.keep_rows(order.keep_rows(next_));
         rock.log.keep_pieces(order.keep_pieces);
+        rock.log.keep_impacts(order.keep_impacts && order.keep_impacts(next_));
         rock.begin(model_, surface_, on_plan_, next_++);
         is_done_[place] = false;
         advance(order, place);
@@ -190,10 +191,11 @@ Simulator::Simulator(Simulator&&) noexcept = default;
 
 std::uint64_t Simulator::simulate(const SimulationOrder& order) { return rocks_->follow(order); }
 
-RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces) {
+RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces, bool keep_impacts) {
   RockRecord record;
   const std::uint64_t next = rocks_->follow({{rock, rock + 1},
                                              [keep_rows](std::uint64_t) { return keep_rows; },
+                                             [keep_impacts](std::uint64_t) { return keep_impacts; },
                                              keep_pieces,
                                              [&](const RockRecord& seen, const RockLog& log) {
                                                record = seen;

@@ -16,6 +16,7 @@ namespace talus {
 struct SimulationOrder {
   RockRange rocks;
   std::function<bool(std::uint64_t rock)> keep_rows;
+  std::function<bool(std::uint64_t rock)> keep_impacts;  // empty: of no rock
   bool keep_pieces = false;
   /// Called in the order of the rocks; the log is valid until it returns.
   std::function<void(const RockRecord&, const RockLog&)> see;
@@ -42,9 +43,9 @@ class Simulator {
   /// Several rocks at the same time, which is faster than one after the other and gives the same bits. Returns the
   /// number after the last rock passed to `see`, which is smaller than that of the order's last rock if it was stopped.
   std::uint64_t simulate(const SimulationOrder& order);
-  /// One rock. Rows and pieces of the path are kept only on request; the log is valid until the next rock. Throws
-  /// Stopped at the request of the thread's StopScope.
-  RockRecord simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces = false);
+  /// One rock. Rows, pieces and impacts of the path are kept only on request; the log is valid until the next rock.
+  /// Throws Stopped at the request of the thread's StopScope.
+  RockRecord simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces = false, bool keep_impacts = false);
   [[nodiscard]] const RockLog& log() const { return log_; }
 
  private:

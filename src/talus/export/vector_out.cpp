@@ -89,6 +89,11 @@ class Layers {
     endpoints_ = &file.add_layer("endpoints", wkbPoint25D, "Where rocks ended", fields);
     const std::vector<GeoField> of_rock = fields_of<RockLayerRow>();
     paths_ = &file.add_layer("paths", wkbLineString25D, "Ways of rocks, arcs of flights included", of_rock);
+    if (facts.in_tables.impacts() > 0) {
+      std::vector<GeoField> of_impact = fields_of<ImpactRow>();
+      of_impact.push_back({"source", OFTString});
+      impacts_ = &file.add_layer("impacts", wkbPoint25D, "Where rocks struck the ground", of_impact);
+    }
     releases_ = &file.add_layer("releases", wkbPoint25D, "Where the rocks of the layer paths began", of_rock);
   }
 
@@ -98,6 +103,14 @@ class Layers {
     fields.set(facts_.source_of(end.rock));
     fields.put_at(point(end.position_m));
     file_.add(*endpoints_, fields.feature());
+  }
+
+  void add_impact(const ImpactRow& impact) {
+    Fields fields(*impacts_);
+    fields.set(impact);
+    fields.set(facts_.source_of(impact.rock));
+    fields.put_at(point(impact.position_m));
+    file_.add(*impacts_, fields.feature());
   }
 
   /// The path of the rock that `end` is of.
@@ -178,7 +191,7 @@ class Layers {
 
   GeoPackageFile& file_;
   const RunFacts& facts_;
-  OGRLayer *endpoints_, *paths_, *releases_;
+  OGRLayer *endpoints_, *paths_, *releases_, *impacts_ = nullptr;
 };
 
 /// Reads paths.csv in step with the rows of endpoints.csv.
@@ -239,6 +252,13 @@ void write_geopackage(const RunFacts& facts, const std::filesystem::path& folder
     }
   }
   paths.finish();
+  if (facts.in_tables.impacts() > 0) {
+    const EvenChoice striking(facts.geopackage_rocks, facts.in_tables.impacts());
+    for (TableReader<ImpactRow> row(folder / ImpactRow::file_name); row.next();) {
+      if (striking.contains(facts.in_tables.impacts_before(row.get<&ImpactRow::rock>())))
+        layers.add_impact(row.whole());
+    }
+  }
   file.commit();
 }
 

@@ -107,6 +107,17 @@ std::vector<Panel> panels_along(const Foot& foot, double height, double inclinat
   return panels;
 }
 
+RunoutFrame runout_frame_of(const Output& output, const LocalFrame& frame) {
+  const auto local = [&](const std::array<double, 2>& p) -> Vec2 {
+    return frame.local_from_global({p[0], p[1], 0}).head<2>();
+  };
+  if (output.runout_from) return RunoutFrame::from(local(*output.runout_from));
+  if (output.runout_along.empty()) return {};
+  std::vector<Vec2> line;
+  for (const auto& point : output.runout_along) line.push_back(local(point));
+  return RunoutFrame::along(std::move(line));
+}
+
 class Builder {
  public:
   Builder(const Project& project, Problems& warnings) : project_(project), warnings_(warnings) {}
@@ -135,6 +146,7 @@ class Builder {
     model_.sampling = project_.sampling.method;
     const double lowest = visit([](const auto& surface) { return surface.bounds().low.z(); });
     model_.energy_datum = project_.analysis.energy_datum_m.value_or(lowest + model_.frame.origin.z());
+    model_.runout_frame = runout_frame_of(project_.output, model_.frame);
     add_seeders(project_, model_, problems_, warnings_);
     for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
     if (problems_.has_errors()) throw BadInput(problems_.in_order_of(project_.file.string()));

@@ -80,8 +80,12 @@ struct Writer {
     return out;
   }
   Written operator()(PlanLineSlot slot) const {
-    if (slot.barrier->line.empty()) return std::nullopt;
-    return two_dimensional ? Json(slot.barrier->line.front()[0]) : Json(slot.barrier->line);
+    if (slot.line->empty()) return std::nullopt;
+    return two_dimensional ? Json(slot.line->front()[0]) : Json(*slot.line);
+  }
+  Written operator()(PlanPointSlot slot) const {
+    if (!*slot.point) return std::nullopt;
+    return two_dimensional ? Json{(**slot.point)[0]} : Json(**slot.point);
   }
   Written operator()(PlanPolygonSlot slot) const { return (*this)(slot.polygon); }
   Written operator()(LibrarySlot slot) const { return (*this)(&slot.material->like); }

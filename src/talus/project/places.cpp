@@ -168,6 +168,22 @@ bool ValueReader::into(const Value& value, PlanPolygonSlot slot) {
   return true;
 }
 
+bool ValueReader::into(const Value& value, PlanPointSlot slot) {
+  if (!dimension_is_known_) return false;
+  const toml::array* list = value.node.as_array();
+  const std::size_t coordinates = two_dimensional_ ? 1 : 2;
+  if (!list || list->size() != coordinates)
+    return refuse_kind(value, two_dimensional_ ? "[x] in a 2D analysis" : "a point on plan, [x, y], in a 3D analysis");
+  std::array<double, 2> read{};
+  bool good = true;
+  for (std::size_t k = 0; k < coordinates; ++k) {
+    const Value part{value.setting, (*list)[k], value.row, value.where, fmt::format("{}[{}]", value.name, k)};
+    good = plan_coordinate(part, &read[k]) && good;
+  }
+  if (good) *slot.point = read;
+  return good;
+}
+
 bool ValueReader::into(const Value& value, PlanLineSlot slot) {
   if (!dimension_is_known_) return false;
   const toml::array* list = value.node.as_array();
@@ -176,7 +192,7 @@ bool ValueReader::into(const Value& value, PlanLineSlot slot) {
     const toml::node& node = list ? (*list)[0] : value.node;
     double x = 0;
     if (!plan_coordinate(Value{value.setting, node, value.row, value.where, value.name}, &x)) return false;
-    slot.barrier->line = {{x, 0}};
+    *slot.line = {{x, 0}};
     return true;
   }
   if (!list || list->size() < 2) return refuse_kind(value, "two or more points on plan, [[x, y], [x, y]]");
@@ -186,7 +202,7 @@ bool ValueReader::into(const Value& value, PlanLineSlot slot) {
     if (!two_dimensional_ || point[0] == read->front()[0]) continue;
     return refuse_kind(value, "x in a 2D analysis; these points differ in x");
   }
-  slot.barrier->line = two_dimensional_ ? std::vector<std::array<double, 2>>{{read->front()[0], 0}} : std::move(*read);
+  *slot.line = two_dimensional_ ? std::vector<std::array<double, 2>>{{read->front()[0], 0}} : std::move(*read);
   return true;
 }
 

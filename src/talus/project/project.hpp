@@ -185,9 +185,13 @@ struct Barrier {
 
 /// [output]
 struct Output {
-  // Keys `endpoints` and `paths`: nullopt is "all", 0 is "none", else a number of rocks.
+  // Keys `endpoints`, `paths` and `impacts`: nullopt is "all", 0 is "none", else a number of rocks.
   std::optional<std::int64_t> endpoint_limit;
   std::optional<std::int64_t> path_limit = 2000;
+  std::optional<std::int64_t> impact_limit = 0;  // key `impacts`
+  // On plan, in the project's coordinates; 2D: (x, 0). At most one of them is given.
+  std::optional<std::array<double, 2>> runout_from;
+  std::vector<std::array<double, 2>> runout_along;
   MapSubjects maps = all_map_subjects;  // `true` is all, `false` none
   bool maps_by_source = false;
   // nullopt is "terrain", the cells of the terrain's raster; 0 means not given, until reading is complete.

@@ -53,6 +53,7 @@ struct Named {
   std::string operator()(PositionSlot) const { return "position"; }
   std::string operator()(PointsSlot) const { return "list of positions"; }
   std::string operator()(PlanLineSlot) const { return "number or list of pairs"; }
+  std::string operator()(PlanPointSlot) const { return "one or two numbers"; }
   std::string operator()(DirectionSlot) const { return "two or three numbers, or `\"downslope\"`"; }
   std::string operator()(RockLimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
   std::string operator()(MapCellSlot) const { return "number or `\"terrain\"`"; }

@@ -99,6 +99,7 @@ struct Typed {
     const Json plain = number();
     return {{"anyOf", Json::array({plain, tuple_of(plain, 1, 1), list_of(tuple_of(plain, 2, 2), 2)})}};
   }
+  Json operator()(PlanPointSlot) const { return tuple_of(number(), 1, 2); }
   Json operator()(DirectionSlot) const {
     return {{"anyOf", Json::array({tuple_of(number(), 2, 3), Json{{"const", "downslope"}}})}};
   }

@@ -54,7 +54,10 @@ struct PointsSlot {
   Seeder* seeder;  // two or more positions: the points of a line seeder
 };
 struct PlanLineSlot {
-  Barrier* barrier;  // x in 2D, [[x, y], ...] in 3D
+  std::vector<std::array<double, 2>>* line;  // x in 2D, [[x, y], ...] in 3D
+};
+struct PlanPointSlot {
+  std::optional<std::array<double, 2>>* point;  // [x] in 2D, [x, y] in 3D
 };
 struct PlanPolygonSlot {
   std::vector<std::array<double, 2>>* polygon;  // [[x, y], ...], three or more
@@ -76,15 +79,14 @@ template <class Enumerations>
 struct SlotWith;
 template <class... Listed>
 struct SlotWith<const std::tuple<Listed...>> {
-  using Type =
-      std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*, std::uint64_t*,
-                   std::string*, std::filesystem::path*, std::array<double, 3>*, Distribution*,
-                   std::optional<Distribution>*, std::vector<std::array<double, 2>>*,
-                   std::vector<std::array<double, 3>>*, std::vector<std::array<std::int64_t, 3>>*,
-                   std::vector<std::vector<std::array<double, 3>>>*, std::vector<std::string>*,
-                   std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
-                   std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*..., PositionSlot,
-                   PointsSlot, PlanLineSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
+  using Type = std::variant<
+      bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*, std::uint64_t*, std::string*,
+      std::filesystem::path*, std::array<double, 3>*, Distribution*, std::optional<Distribution>*,
+      std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
+      std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
+      std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
+      std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*..., PositionSlot, PointsSlot,
+      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.

@@ -77,6 +77,7 @@ class ValueReader {
   bool into(const Value&, PositionSlot);
   bool into(const Value&, PointsSlot);
   bool into(const Value&, PlanLineSlot);
+  bool into(const Value&, PlanPointSlot);
   bool into(const Value&, PlanPolygonSlot);
   bool into(const Value&, LibrarySlot);
   bool into(const Value&, DirectionSlot);

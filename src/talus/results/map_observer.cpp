@@ -72,7 +72,7 @@ class MapObserver::Part : public ObserverPart {
       if (piece.steps.count > 0 || leads_anywhere(piece)) continue;
       note(visit_at(piece.path.p), piece, record.body);
     }
-    for (const Vec3& place : log.impacts) ++visit_at(place).impacts;
+    for (const Vec3& place : log.impact_places) ++visit_at(place).impacts;
     const EndReason reason = record.outcome.reason;
     MapVisit& last = visit_at(record.outcome.end.position);
     last.is_deposit = reason == EndReason::at_rest || reason == EndReason::stopped_by_barrier;

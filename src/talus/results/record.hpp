@@ -34,7 +34,9 @@ class Observer {
   virtual ~Observer() = default;
   /// Whether it needs this rock's trajectory, row by row.
   [[nodiscard]] virtual bool wants_rows(std::uint64_t rock) const = 0;
-  /// Whether it needs the pieces of trajectories, and the impacts.
+  /// Whether it needs the impacts of this rock.
+  [[nodiscard]] virtual bool wants_impacts(std::uint64_t) const { return false; }
+  /// Whether it needs the pieces of trajectories, and the places of impacts.
   [[nodiscard]] virtual bool wants_pieces() const { return false; }
   [[nodiscard]] virtual std::unique_ptr<ObserverPart> new_part() const = 0;
   virtual void commit(ObserverPart& part) = 0;

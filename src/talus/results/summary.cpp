@@ -13,9 +13,12 @@
 
 namespace talus {
 
-Runout runout(const RockOutcome& outcome) {
-  const Vec3 d = outcome.end.position - outcome.start.position;
-  return {std::hypot(d.x(), d.y()), -d.z(), d.norm()};
+Runout runout(const RockOutcome& outcome, const RunoutFrame& frame) {
+  const Vec3& start = outcome.start.position;
+  const Vec3& end = outcome.end.position;
+  const Vec3 d = end - start;
+  const RunoutPlace place = frame.of(start.head<2>(), end.head<2>());
+  return {place.runout, -d.z(), d.norm(), place.lateral};
 }
 
 std::optional<Histogram> Tally::histogram(std::uint64_t bins) const {
@@ -179,7 +182,9 @@ namespace {
 
 class SummaryPart : public ObserverPart {
  public:
-  SummaryPart(std::uint64_t planned, const LocalFrame& frame) : summary(planned, 0, frame.origin), frame_(frame) {}
+  /// The runout frame must outlive the part.
+  SummaryPart(std::uint64_t planned, const LocalFrame& frame, const RunoutFrame& runout_frame)
+      : summary(planned, 0, frame.origin), frame_(frame), runout_frame_(runout_frame) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
     const RockOutcome& outcome = record.outcome;
@@ -188,7 +193,7 @@ class SummaryPart : public ObserverPart {
     summary.lifted += record.was_lifted ? 1 : 0;
     if (outcome.reason == EndReason::lost && !summary.first_lost) summary.first_lost = record.rock;
     summary.events += outcome.events;
-    const Runout way = runout(outcome);
+    const Runout way = runout(outcome, runout_frame_);
     summary.end_x.add(frame_.global_from_local(outcome.end.position).x());
     summary.runout_plan.add(way.plan);
     summary.runout_total.add(way.total);
@@ -235,13 +240,14 @@ class SummaryPart : public ObserverPart {
   }
 
   LocalFrame frame_;
+  const RunoutFrame& runout_frame_;
   std::vector<std::uint32_t> reached_, unique_;
 };
 
 }  // namespace
 
 std::unique_ptr<ObserverPart> SummaryObserver::new_part() const {
-  return std::make_unique<SummaryPart>(summary_.planned, frame_);
+  return std::make_unique<SummaryPart>(summary_.planned, frame_, runout_frame_);
 }
 
 void SummaryObserver::commit(ObserverPart& part) {

@@ -5,9 +5,11 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "talus/results/record.hpp"
+#include "talus/results/runout_frame.hpp"
 #include "talus/statistics/descriptive.hpp"
 #include "talus/statistics/histogram.hpp"
 #include "talus/statistics/quantile_sketch.hpp"
@@ -100,8 +102,10 @@ struct Summary {
 
 class SummaryObserver : public SummingObserver {
  public:
-  SummaryObserver(std::uint64_t planned_rocks, std::size_t barriers, const LocalFrame& frame)
-      : frame_(frame), summary_(planned_rocks, barriers, frame.origin) {}
+  /// `runout_frame` in local coordinates.
+  SummaryObserver(std::uint64_t planned_rocks, std::size_t barriers, const LocalFrame& frame,
+                  RunoutFrame runout_frame = {})
+      : frame_(frame), runout_frame_(std::move(runout_frame)), summary_(planned_rocks, barriers, frame.origin) {}
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
   void commit(ObserverPart& part) override;
@@ -111,13 +115,17 @@ class SummaryObserver : public SummingObserver {
 
  private:
   LocalFrame frame_;
+  RunoutFrame runout_frame_;
   Summary summary_;
 };
 
-/// Runout as in the tables: the distance from release to end, on plan and in space [m].
+/// Runout as in the tables [m].
 struct Runout {
-  double plan, drop, total;  // drop: z at the release minus z at the end
+  double plan;                    // in the frame
+  double drop, total;             // z at the release minus z at the end; distance from release to end in space
+  std::optional<double> lateral;  // in a frame along a line
 };
-[[nodiscard]] Runout runout(const RockOutcome& outcome);
+/// `frame` in local coordinates.
+[[nodiscard]] Runout runout(const RockOutcome& outcome, const RunoutFrame& frame = {});
 
 }  // namespace talus

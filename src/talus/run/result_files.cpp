@@ -70,7 +70,7 @@ bool is_name_of_result(const std::filesystem::path& name) {
 
 std::vector<std::string> result_files(const RunDescription& description, const std::optional<Shard>& shard) {
   std::vector<std::string> names;
-  for (const ResultTable& table : result_tables()) names.emplace_back(table.file_name);
+  for (const ResultTable* table : tables_with(rocks_in_tables(description))) names.emplace_back(table->file_name);
   if (!shard) {
     if (description.wants_maps && description.maps && can_write_maps() && description.rocks > 0)
       names.push_back("maps/" + map_kinds(description.maps->selection).front().name + ".tif");

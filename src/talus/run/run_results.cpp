@@ -143,11 +143,13 @@ RunDescription describe_run(const Project& project, const Model& model, const Pr
 }
 
 TableRocks table_rocks(const Project& project, std::uint64_t rocks) {
-  return TableRocks(rocks, project.output.endpoint_limit, project.output.path_limit);
+  return TableRocks(rocks, {.endpoints = project.output.endpoint_limit,
+                            .paths = project.output.path_limit,
+                            .impacts = project.output.impact_limit});
 }
 
 RunSums::RunSums(const RunDescription& description, const Project& project, const Model& model)
-    : summary_(description.rocks, description.barriers, model.frame) {
+    : summary_(description.rocks, description.barriers, model.frame, model.runout_frame) {
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (description.maps) maps_ = map_observer(project, model);
 }
@@ -191,7 +193,7 @@ void write_derived(const std::filesystem::path& folder, const RunDescription& de
   std::filesystem::remove(folder / "report.html", ignored);
   if (!description.wants_report) return;
   const std::filesystem::path folders[] = {folder};
-  write_report(folders, folder / "report.html", summary.c_str());
+  (void)write_report(folders, folder / "report.html", summary.c_str());
 }
 
 }  // namespace

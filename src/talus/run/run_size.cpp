@@ -44,7 +44,7 @@ class Sized {
  public:
   Sized(std::string_view file_name, const Model& model) {
     const auto table = std::ranges::find(result_tables(), file_name, &ResultTable::file_name);
-    table_ = table->make(TableContext::of(model), TableRocks(model.rocks()), counter_);
+    table_ = table->make(TableContext::of(model), TableRocks(model.rocks(), {.impacts = {}}), counter_);
     part_ = table_->new_part();
   }
   void see(const RockRecord& record, const RockLog& log) {
@@ -144,16 +144,17 @@ RunSize expected_size(const Project& project, const Model& model, const RockRang
   const auto is_stopped = [&] { return stop != nullptr && stop->load(std::memory_order_relaxed); };
   const TableRocks tables = table_rocks(project, model.rocks());
   Sized endpoints(EndpointRow::file_name, model), paths(PathEventRow::file_name, model);
-  Sized barriers(HitRow::file_name, model);
+  Sized barriers(HitRow::file_name, model), impacts(ImpactRow::file_name, model);
   SizedMaps maps(project, model);
   Simulator simulator(model);
   const auto rock = [&](std::uint64_t k) { return rocks.first + (rocks.count() / simulated) * k; };
   for (std::uint64_t k = 0; k < simulated && !is_stopped(); ++k) {
-    const RockRecord record = simulator.simulate(rock(k), true, maps.are_made());
+    const RockRecord record = simulator.simulate(rock(k), true, maps.are_made(), tables.impacts() > 0);
     maps.see(record, simulator.log());
     endpoints.see(record, simulator.log());
     paths.see(record, simulator.log());
     barriers.see(record, simulator.log());
+    impacts.see(record, simulator.log());
   }
   const double cells = maps.cells(static_cast<double>(simulated), static_cast<double>(rocks.count()));
   // A second pass for the time, because the first rocks of a thread and new cells are slower.
@@ -168,13 +169,15 @@ RunSize expected_size(const Project& project, const Model& model, const RockRang
   const double each = 1 / static_cast<double>(simulated);
   const auto with_end = static_cast<double>(tables.endpoints_before(rocks.last) - tables.endpoints_before(rocks.first));
   const auto with_path = static_cast<double>(tables.paths_before(rocks.last) - tables.paths_before(rocks.first));
+  const auto with_impacts = static_cast<double>(tables.impacts_before(rocks.last) - tables.impacts_before(rocks.first));
   const auto count = static_cast<double>(rocks.count());
   return {.endpoints_bytes = endpoints.bytes() * each * with_end,
           .barriers_bytes = barriers.bytes() * each * count,
           .paths_bytes = paths.bytes() * each * with_path,
+          .impacts_bytes = impacts.bytes() * each * with_impacts,
           .maps_bytes = cells * maps.values_a_cell() * bytes_a_value,
           .processor_seconds = each * ((seconds + barriers.seconds()) * count + endpoints.seconds() * with_end +
-                                       paths.seconds() * with_path) +
+                                       paths.seconds() * with_path + impacts.seconds() * with_impacts) +
                                cells * maps.values_a_cell() * seconds_a_value};
 }
 
@@ -188,7 +191,8 @@ std::optional<std::string> large_run_text(const RunSize& size, int threads) {
   for (const auto& [bytes, name, setting] :
        {Part{size.paths_bytes, "paths.csv", "output.paths = 2000"},
         Part{size.endpoints_bytes, "endpoints.csv", "output.endpoints = \"none\""},
-        Part{size.barriers_bytes, "barriers.csv", ""}, Part{size.maps_bytes, "maps", "fewer output.maps"}}) {
+        Part{size.impacts_bytes, "impacts.csv", "output.impacts = 100"}, Part{size.barriers_bytes, "barriers.csv", ""},
+        Part{size.maps_bytes, "maps", "fewer output.maps"}}) {
     constexpr double worth_naming = 0.05;
     if (bytes < worth_naming * size.bytes()) continue;
     parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, size_text(bytes));

@@ -13,11 +13,14 @@
 namespace talus::project {
 
 struct RunSize {
-  double endpoints_bytes = 0, barriers_bytes = 0, paths_bytes = 0;  // of the tables, without compression
-  double maps_bytes = 0;                                            // or of envelopes
-  double processor_seconds = 0;                                     // of one thread, for simulating, text and maps
+  // Of the tables, without compression.
+  double endpoints_bytes = 0, barriers_bytes = 0, paths_bytes = 0, impacts_bytes = 0;
+  double maps_bytes = 0;         // or of envelopes
+  double processor_seconds = 0;  // of one thread, for simulating, text and maps
 
-  [[nodiscard]] double bytes() const { return endpoints_bytes + barriers_bytes + paths_bytes + maps_bytes; }
+  [[nodiscard]] double bytes() const {
+    return endpoints_bytes + barriers_bytes + paths_bytes + impacts_bytes + maps_bytes;
+  }
 };
 
 /// Estimates a run of these rocks by simulating a few of them, spread over the range. Bytes are reproducible: those of

@@ -184,6 +184,12 @@ class MovingRock {
     update_max_energy();
     log_row(state);
   }
+  /// The rock arrives; RockLog::rebound completes the impact.
+  void log_impact(const Contact& contact, const Vec3& struck_normal) {
+    if (!log.keeps_impacts()) return;
+    log.impacts.push_back(
+        {motion, motion, contact.normal, struck_normal, surface.source(contact.facet), material_at(contact.facet)});
+  }
   /// The first `t` of a leg, from `before` to `arrived`, on a facet or one of its edges or vertices.
   void log_leg(FacetId facet, const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
     log.leg(leg, t, before, arrived, facet);

@@ -77,11 +77,22 @@ struct PassedAbove {
   double station = 0;  // where along the line, on plan [m]
 };
 
+/// A rock strikes the ground.
+struct Impact {
+  Motion before, after;        // of its centre, with the velocity and spin before and after the impact law
+  Vec3 normal, struck_normal;  // unit, out of the ground: of the facet (or from the edge or vertex to the centre), and
+                               // with the tilt of the roughness
+  std::uint32_t source = 0;    // the part of the terrain, as the surface's source() numbers it
+  MaterialId ground;
+};
+
 class RockLog {
  public:
   explicit RockLog(bool keep_rows, bool keep_pieces = false) : keep_rows_(keep_rows), keep_pieces_(keep_pieces) {}
 
   void keep_rows(bool keep) { keep_rows_ = keep; }
+  void keep_impacts(bool keep) { keep_impacts_ = keep; }
+  [[nodiscard]] bool keeps_impacts() const { return keep_impacts_; }
   void keep_pieces(bool keep) { keep_pieces_ = keep; }
   [[nodiscard]] bool keeps_pieces() const { return keep_pieces_; }
   void clear() {
@@ -89,6 +100,7 @@ class RockLog {
     turns.clear();
     pieces.clear();
     glide_steps.clear();
+    impact_places.clear();
     impacts.clear();
     hits.clear();
     passed_above.clear();
@@ -165,20 +177,26 @@ class RockLog {
     }
   }
   /// The rock strikes the ground; `position` of its centre.
-  void impact(const Vec3& position) {
-    if (keep_pieces_) impacts.push_back(position);
+  void impact_place(const Vec3& position) {
+    if (keep_pieces_) impact_places.push_back(position);
+  }
+
+  /// Completes the last impact.
+  void rebound(const Motion& motion) {
+    if (keep_impacts_) impacts.back().after = motion;
   }
 
   std::vector<PathRow> rows;
   std::vector<Motion> turns;
-  std::vector<PathPiece> pieces;  // like glide_steps and impacts: only if requested
+  std::vector<PathPiece> pieces;  // like glide_steps and impact_places: only if requested
   std::vector<GlideStep> glide_steps;
-  std::vector<Vec3> impacts;
+  std::vector<Vec3> impact_places;
+  std::vector<Impact> impacts;  // only if requested
   std::vector<BarrierHit> hits;
   std::vector<PassedAbove> passed_above;
 
  private:
-  bool keep_rows_, keep_pieces_;
+  bool keep_rows_, keep_pieces_, keep_impacts_ = false;
 };
 
 }  // namespace talus

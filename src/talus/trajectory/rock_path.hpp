@@ -2,6 +2,9 @@
 // The trajectory of one rock from release to rest: the only room in which flight, impact, motion along the ground and
 // barriers meet. A trajectory is a pure function of (scene, release, draws).
 
+#include <optional>
+
+#include "talus/ground/material.hpp"
 #include "talus/sampling/draws.hpp"
 #include "talus/seeding/release.hpp"
 #include "talus/trajectory/rock_log.hpp"
@@ -16,6 +19,8 @@ struct RockOutcome {
   std::int64_t events = 0;        // impacts, arrivals at barriers
   double max_kinetic_energy = 0;  // translational and rotational [J]
   double max_bounce = 0;          // maximum height of the centre above the ground below it [m]
+  /// Of the ground straight below its centre at the end. Empty: it left the model, or there is none.
+  std::optional<MaterialId> ground;
 };
 
 /// Simulates one rock. Its rows, turns, barrier hits and, on request, the pieces of its path are written to the log.

@@ -145,6 +145,10 @@ void RockRun<Surface>::end() {
   rock_.outcome.reason = std::get<Ended>(state_).reason;
   rock_.update_max_energy();
   rock_.outcome.end = rock_.motion;
+  if (rock_.outcome.reason != EndReason::left_model) {
+    if (const auto below = rock_.surface.ground_below(rock_.motion.position))
+      rock_.outcome.ground = rock_.material_at(below->facet);
+  }
   rock_.log_row(PathState::ended);
 }
 

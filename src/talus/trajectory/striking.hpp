@@ -77,7 +77,7 @@ template <class Surface>
 [[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact, bool hops = false) {
   Motion& motion = rock.motion;
   rock.arrive(PathState::impact);
-  rock.log.impact(motion.position);
+  rock.log.impact_place(motion.position);
   const Material& material = rock.ground[rock.material_at(contact.facet)];
   const std::uint32_t number = rock.contacts();
   const GroundDraw draw = rock.draw_at(contact.facet);
@@ -88,6 +88,7 @@ template <class Surface>
   }
 
   const Vec3 n = rough_normal(rock, contact.normal, material, draw, number);
+  rock.log_impact(contact, n);
   double rt = 0;
   const auto draw_restitution = [&] {
     const auto [rn, tangential] = draw.restitution(material);
@@ -100,6 +101,7 @@ template <class Surface>
       [&](const auto& law) { return law.rebound(approach, draw_restitution, draw_friction); }, rock.impact_law);
   motion.velocity = kept_outside(rebound.velocity, contact.normal);
   motion.spin = rebound.spin;
+  rock.log.rebound(motion);
   rock.update_max_energy();
 
   const Support with{contact.normal, contact.facet};

@@ -68,7 +68,7 @@ struct ObservedPart : ObserverPart {
     };
     ++observed.rocks;
     ++observed.ends[static_cast<std::size_t>(record.outcome.reason)];
-    add(SampleQuantity::runout_xy_m, runout(record.outcome).plan);
+    add(SampleQuantity::runout_xy_m, runout(record.outcome, model.runout_frame).plan);
     add(SampleQuantity::end_x_m, model.frame.global_from_local(record.outcome.end.position).x());
     for (const BarrierHit& hit : log.hits) {
       add(SampleQuantity::barrier_ke_translational_kJ,

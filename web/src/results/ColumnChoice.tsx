@@ -28,6 +28,7 @@ export const endpointChoices: readonly EndpointNumber[] = [
   'runout_xy_m',
   'runout_z_m',
   'runout_total_m',
+  'lateral_m',
   'max_ke_J',
   'max_bounce_m',
   'time_s',

@@ -32,6 +32,7 @@ const titles: Record<
   runout_xy_m: 'Runout on plan',
   runout_z_m: 'Drop from release to end',
   runout_total_m: 'Runout in space',
+  lateral_m: 'Distance beside the line',
   time_s: 'Time',
   events: 'Events',
   mass_kg: 'Mass',

@@ -7,7 +7,7 @@ namespace talus::project::declared {
 namespace {
 
 std::function<Slot(Row)> plan_line_slot() {
-  return [](Row row) -> Slot { return PlanLineSlot{std::get<Barrier*>(row)}; };
+  return [](Row row) -> Slot { return PlanLineSlot{&std::get<Barrier*>(row)->line}; };
 }
 
 Row added_barrier(Project& project, bool is_collector) {

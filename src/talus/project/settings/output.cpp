@@ -11,6 +11,12 @@ namespace {
 std::function<Slot(Row)> rock_limit_slot(std::optional<std::int64_t> Output::*limit) {
   return [limit](Row row) -> Slot { return RockLimitSlot{&(std::get<Output*>(row)->*limit)}; };
 }
+std::function<Slot(Row)> plan_point_slot() {
+  return [](Row row) -> Slot { return PlanPointSlot{&std::get<Output*>(row)->runout_from}; };
+}
+std::function<Slot(Row)> plan_line_slot() {
+  return [](Row row) -> Slot { return PlanLineSlot{&std::get<Output*>(row)->runout_along}; };
+}
 std::function<Slot(Row)> map_cell_slot() {
   return [](Row row) -> Slot { return MapCellSlot{&std::get<Output*>(row)->raster_cell_m}; };
 }
@@ -37,6 +43,39 @@ Table output_table() {
                .topic = topics::paths,
                .meaning =
                    "Number of rocks with a path in `paths.csv`: `\"all\"`, `\"none\"` or a number, evenly spread.",
+               .source = "Talus"},
+              {.key = "impacts",
+               .slot = rock_limit_slot(&Output::impact_limit),
+               .range = between(0, most_rocks),
+               .title = "Rocks with impacts",
+               .topic = topics::impacts,
+               .meaning =
+                   "Number of rocks whose impacts are in `impacts.csv`: `\"all\"`, `\"none\"` or a number, evenly "
+                   "spread. With `\"none\"`, the file is not written.",
+               .source = "Talus"},
+              {.key = "runout_from",
+               .slot = plan_point_slot(),
+               .unit = "m",
+               .without_it = "from each rock's release",
+               .applies_when = {{.any_of = {absent("runout_along")},
+                                 .otherwise = Otherwise::refused,
+                                 .what = "runout_from and runout_along are given",
+                                 .why = "runout is counted in one way",
+                                 .hint = "Leave one of them out"}},
+               .group = "Runout",
+               .topic = topics::runout,
+               .meaning = "Point from which runout is counted, as the distance on plan: [x] in 2D, [x, y] in 3D.",
+               .source = "Talus"},
+              {.key = "runout_along",
+               .slot = plan_line_slot(),
+               .unit = "m",
+               .without_it = "from each rock's release",
+               .applies_when = {in_3d(Otherwise::refused, "runout_along is given", "a section has no lateral direction",
+                                      "Give runout_from, or terrain.width_m for 3D")},
+               .group = "Runout",
+               .topic = topics::runout,
+               .meaning = "Line on plan along which runout is counted: two or more points [x, y]. The line goes on "
+                          "straight beyond its ends; `endpoints.csv` then has the distance from it.",
                .source = "Talus"},
               {.key = "maps",
                .slot = member(&Output::maps),
@@ -105,7 +144,7 @@ Table output_table() {
                .meaning = "Writes `report.html`, a page of figures that needs no network.",
                .source = "Talus"},
           },
-      .groups = {{""}, {"Maps"}},
+      .groups = {{""}, {"Runout"}, {"Maps"}},
       .topic = topics::output,
       .add = add,
       .rows = rows,
