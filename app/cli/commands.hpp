@@ -60,7 +60,8 @@ int replay(const ReplayOptions& options);
 
 struct ReportOptions {
   std::vector<std::filesystem::path> folders;
-  std::filesystem::path file;  // empty: report.html in the first folder, or compare.html for several
+  std::filesystem::path file;      // empty: report.html in the first folder, or compare.html for several
+  std::filesystem::path observed;  // stops to compare with; empty: none
 };
 int report(const ReportOptions& options);
 

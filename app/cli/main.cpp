@@ -146,6 +146,13 @@ int dispatch(int argc, char** argv) {
                    "Page to write (default: report.html, or compare.html for two runs, in the first folder)")
       ->check(names_file)
       ->type_name("FILE");
+  report_command
+      ->add_option("--observed", report_options.observed,
+                   "Stops of rocks that were observed, laid over the simulated ones and compared with them: a table "
+                   "(.csv) with columns x, y (2D: x), or a GIS file of points. A report that is written again without "
+                   "it does not show them")
+      ->check(names_file)
+      ->type_name("FILE");
 
   VerifyOptions verify_options;
   CLI::App* verify_command =

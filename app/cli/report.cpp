@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "earlier_output.hpp"
+#include "load.hpp"
 #include "talus/files/file_record.hpp"
 #include "talus/files/folder_lock.hpp"
 #include "talus/files/output_file.hpp"
@@ -19,8 +20,10 @@ int report(const ReportOptions& options) {
   refuse_other_files(file, "<!DOCTYPE html>", "page");
   std::optional<FolderLock> lock;  // a run into this folder may be in progress
   if (options.file.empty()) lock.emplace(lock_output_folder(options.folders.front()));
-  write_report(options.folders, file);
+  const ReportNotes notes = write_report(options.folders, file, "summary.json", options.observed);
+  print_warnings(notes.doubts);
   if (options.file.empty()) renew_in_record(options.folders.front(), page);
+  for (const std::string& line : notes.comparisons) fmt::print("{}\n", line);
   fmt::print("{}\n", file.string());
   return done;
 }

@@ -15,6 +15,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/files/output_file.hpp"
+#include "talus/report/observed_comparison.hpp"
 #include "talus/report/page/assets.hpp"
 #include "talus/report/report_histograms.hpp"
 
@@ -233,12 +234,15 @@ std::string title_of(std::span<const RunFolder> runs) {
 
 }  // namespace
 
-std::string report_page(std::span<const RunFolder> runs) {
+std::string report_page(std::span<const RunFolder> runs, std::span<const Json> observed) {
   Json data{{"version", TALUS_VERSION}, {"map_colours", map_colours()}, {"runs", Json::array()}};
   std::vector<RunSummary> summaries;
   for (const RunFolder& run : runs) summaries.push_back(run.summary);
   if (summaries.size() == 2) give_common_bins(summaries[0], summaries[1]);
-  for (std::size_t k = 0; k < runs.size(); ++k) data["runs"].push_back(data_of(runs[k], summaries[k]));
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    Json& run = data["runs"].emplace_back(data_of(runs[k], summaries[k]));
+    if (!observed.empty()) run["observed"] = observed[k];
+  }
   const std::string title = escaped(title_of(runs)), json = json_for_script(data);
   return filled(assets::page, {{"title", title},
                                {"style", assets::style},
@@ -247,8 +251,8 @@ std::string report_page(std::span<const RunFolder> runs) {
                                {"script", assets::script}});
 }
 
-void write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,
-                  const char* summary) {
+ReportNotes write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,
+                         const char* summary, const std::filesystem::path& observed) {
   if (run_folders.empty() || run_folders.size() > 2) {
     throw BadInput(Problem{.file = "",
                            .where = "report",
@@ -266,10 +270,23 @@ void write_report(std::span<const std::filesystem::path> run_folders, const std:
     }
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
-  const std::string page = report_page(runs);
+  ReportNotes notes;
+  std::vector<Json> comparisons;
+  if (!observed.empty()) {
+    for (RunFolder& run : runs) {
+      Problems doubts;
+      comparisons.push_back(observed_json(read_observed_stops(observed, run.summary, doubts), run));
+      for (std::string& line : comparison_lines(comparisons.back()))
+        notes.comparisons.push_back(runs.size() > 1 ? run.summary.name + ", " + line : std::move(line));
+      for (const Problem& doubt : doubts.list()) run.notes.push_back(doubt.text());
+      if (notes.doubts.list().empty()) notes.doubts = std::move(doubts);  // the same for two runs of one terrain
+    }
+  }
+  const std::string page = report_page(runs, comparisons);
   OutputFile file(place_of_file(html));
   file.write(page);
   file.commit();
+  return notes;
 }
 
 }  // namespace talus

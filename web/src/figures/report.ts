@@ -8,6 +8,7 @@ RESULTING FROM LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, N
 ARISING OUT OF OR IN CONNECTION WITH THE USE OR PERFORMANCE OF THIS SOFTWARE. */
 
 export * from './boxes';
+export * from './cumulative';
 export * as d3 from './d3';
 export * from './energy';
 export * from './envelope';

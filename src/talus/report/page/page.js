@@ -52,6 +52,7 @@ section('End points and runout', 'runout', (node) => {
   ], 'Descriptive statistics, one value per rock');
   element(node, 'p', 'Standard deviation and variance are sample values (n − 1). Kurtosis is excess kurtosis; skewness is corrected for bias. The confidence level is half the width of the 95 % interval of the mean, by Student’s t. Variances are in the square of the unit. Total kinetic energy is translational plus rotational.', {class: 'quiet'});
 });
+if (runs.some((run) => run.observed)) section('Observed stops', 'observed', observedFigures);
 section('End reasons', 'reasons', endReasons);
 if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);
 if (designsOf().length) section('Barrier design', 'design', designSections);

@@ -19,6 +19,7 @@ const runs = page.runs.map((data, index) => {
     warnings: summary.warnings || [],
     endpoints: records(data.endpoints),
     endpointTotal: data.endpoints.total,
+    stops: data.observed ? records(data.observed.stops) : [],
     hits: records(data.hits),
     hitTotal: data.hits.total,
     losses: records(data.losses),
