@@ -49,6 +49,14 @@ struct MergeOptions {
 };
 int merge(const MergeOptions& options);
 
+struct CalibrateOptions {
+  std::filesystem::path study;
+  std::filesystem::path folder;  // empty: named after the study, next to its file
+  int threads = 0;
+  bool quiet = false;
+};
+int calibrate(const CalibrateOptions& options);
+
 int check(const ProjectOptions& options);
 
 struct ReplayOptions {

@@ -121,6 +121,24 @@ int dispatch(int argc, char** argv) {
   add_maps_memory(*merge_command, merge_options.maps_memory);
   merge_command->add_flag("--quiet,-q", merge_options.quiet, "Print only warnings and errors");
 
+  CalibrateOptions calibrate_options;
+  CLI::App* calibrate_command = app.add_subcommand(
+      "calibrate", "Find the parameters that agree with observed rocks, and how well they are known");
+  calibrate_command->add_option("study", calibrate_options.study, "The study file (TOML)")
+      ->required()
+      ->check(names_file)
+      ->type_name("STUDY.toml");
+  calibrate_command
+      ->add_option("-o,--output", calibrate_options.folder,
+                   "Folder for the results (default: named after the study, next to its file). Sets of parameters that "
+                   "are finished there are not run again")
+      ->check(names_folder)
+      ->type_name("DIR");
+  calibrate_command->add_option("--threads", calibrate_options.threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  calibrate_command->add_flag("--quiet,-q", calibrate_options.quiet, "Print only warnings and errors");
+
   ProjectOptions check_options;
   CLI::App* check_command = app.add_subcommand("check", "Report all problems of a project, with file, line and key");
   add_project_options(*check_command, check_options);
@@ -200,6 +218,7 @@ int dispatch(int argc, char** argv) {
   if (*run_command) return run(run_options);
   if (*serve_command) return serve(serve_options);
   if (*merge_command) return merge(merge_options);
+  if (*calibrate_command) return calibrate(calibrate_options);
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);
   if (*report_command) return report(report_options);

@@ -41,8 +41,8 @@ std::string line_with_bar(const std::string& text, int percent, std::size_t colu
 
 }  // namespace
 
-Progress::Progress(std::uint64_t total)
-    : total_(total), on_terminal_(isatty(STDERR_FILENO) == 1), begin_(Clock::now()), last_(begin_) {}
+Progress::Progress(std::uint64_t total, std::string_view kind)
+    : total_(total), kind_(kind), on_terminal_(isatty(STDERR_FILENO) == 1), begin_(Clock::now()), last_(begin_) {}
 
 Progress::~Progress() {
   if (on_terminal_ && printed_) to_stderr("\r\x1b[K");
@@ -65,8 +65,8 @@ void Progress::print(std::uint64_t done, Clock::time_point now) {
   const double rate = static_cast<double>(done - *done_before_) / seconds;
   const double left = static_cast<double>(total_ - done) / rate;
   const int percent = static_cast<int>(100.0 * static_cast<double>(done) / static_cast<double>(total_));
-  const std::string text =
-      fmt::format("{} of {} rocks ({} %), {:.0f} rocks/s, {} left", done, total_, percent, rate, clock_text(left));
+  const std::string text = fmt::format("{} of {} {} ({} %), {:.{}f} {}/s, {} left", done, total_, kind_, percent, rate,
+                                       rate < 10 ? 1 : 0, kind_, clock_text(left));
   if (on_terminal_) {
     to_stderr("\r\x1b[K{}", line_with_bar(text, percent, columns_of_terminal()));
   } else {

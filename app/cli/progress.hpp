@@ -4,12 +4,15 @@
 #include <chrono>
 #include <cstdint>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace talus::cli {
 
 class Progress {
  public:
-  explicit Progress(std::uint64_t total);
+  /// `kind`, for messages: "rocks".
+  explicit Progress(std::uint64_t total, std::string_view kind = "rocks");
   ~Progress();
   void operator()(std::uint64_t done);
 
@@ -18,6 +21,7 @@ class Progress {
   void print(std::uint64_t done, Clock::time_point now);
 
   std::uint64_t total_;
+  std::string kind_;
   bool on_terminal_;
   bool printed_ = false;
   std::optional<std::uint64_t> done_before_;  // at the first call: these rocks do not count for the rate

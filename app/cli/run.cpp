@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +16,7 @@
 #include "outcome.hpp"
 #include "progress.hpp"
 #include "standard_streams.hpp"
+#include "stop_signals.hpp"
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/ranks.hpp"
 #include "talus/campaign/thread_supply.hpp"
@@ -27,22 +26,6 @@
 namespace talus::cli {
 
 namespace {
-
-std::atomic<bool> stop_wanted{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
-
-// The first signal stops the campaign, which keeps its results so far. Another one at least two seconds later ends the
-// program. Earlier ones count as the first: some callers signal a program and its group.
-volatile std::sig_atomic_t stop_asked_at = 0;
-extern "C" void ask_to_stop(int signal) {
-  const auto now = static_cast<std::sig_atomic_t>(std::time(nullptr));
-  if (stop_wanted.exchange(true) && now - stop_asked_at >= 2) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
-  } else if (stop_asked_at == 0) {
-    stop_asked_at = now;
-  }
-}
 
 std::string shard_name(const RunOptions& options, const project::RunResult& result) {
   const RockRange& range = result.range;
@@ -94,15 +77,8 @@ std::filesystem::path default_folder(const Loaded& loaded, const std::optional<S
   return folder.string() + fmt::format("-shard-{}-of-{}", shard->number, shard->of);
 }
 
-/// mpirun forwards SIGUSR1 to the program, whereas it kills the program on the others. Batch systems can send SIGUSR1
-/// before the time limit.
-void catch_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, ask_to_stop);
-  catch_hangup(ask_to_stop);
-}
-
 project::RunOptions run_options(const RunOptions& options, const std::optional<Shard>& shard) {
-  return {.campaign = {options.threads, &stop_wanted, {}},
+  return {.campaign = {options.threads, &stop_wanted(), {}},
           .shard = shard,
           .resume = options.resume,
           .checkpoint_every = options.checkpoint_every,
@@ -118,7 +94,7 @@ int run_here(const RunOptions& options, Ranks* ranks) {
   print_warnings(loaded.warnings);
   const std::filesystem::path folder = options.folder.empty() ? default_folder(loaded, shard) : options.folder;
 
-  catch_signals();
+  catch_stop_signals();
   project::RunOptions how = run_options(options, shard);
   how.ranks = ranks;
   std::optional<Progress> progress;
@@ -127,8 +103,8 @@ int run_here(const RunOptions& options, Ranks* ranks) {
     if (!loaded.model.seeder_report.empty()) fmt::print("{}\n", loaded.model.seeder_report);
     const std::uint64_t all = loaded.model.rocks();
     const RockRange rocks = shard ? rocks_of(*shard, all) : RockRange{0, all};
-    const StopScope scope(&stop_wanted);
-    print_if_large(loaded, rocks, threads_for(options.threads), &stop_wanted);
+    const StopScope scope(&stop_wanted());
+    print_if_large(loaded, rocks, threads_for(options.threads), &stop_wanted());
     progress.emplace(rocks.count());
     how.campaign.progress = [&](std::uint64_t done) { (*progress)(done); };
     how.say = [](const std::string& text) {
@@ -174,7 +150,7 @@ int help_rank_0(const RunOptions& options, Ranks& ranks) {
   try {
     const project::RunOptions how = run_options(options, shard_of(options));
     const Loaded loaded = load(options.project);
-    catch_signals();
+    catch_stop_signals();
     return project::help_run(ranks, loaded.project, loaded.model, loaded.warnings, how);
   } catch (const BadInput& bad) {
     return project::cannot_help(ranks, bad.problems().text(), bad_input);

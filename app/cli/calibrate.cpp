@@ -1,0 +1,141 @@
+// `talus calibrate`: the parameters that agree with observed rocks.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "answer.hpp"
+#include "commands.hpp"
+#include "load.hpp"
+#include "progress.hpp"
+#include "standard_streams.hpp"
+#include "stop_signals.hpp"
+#include "talus/calibration/result_files.hpp"
+#include "talus/calibration/study.hpp"
+#include "talus/campaign/thread_supply.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/files/csv_text.hpp"
+#include "talus/files/output_file.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+using calibration::CalibrationResult;
+using calibration::HeldOut;
+using calibration::PreparedStudy;
+using calibration::SetResult;
+using calibration::SoughtParameter;
+using calibration::Study;
+using calibration::StudyModel;
+
+struct Means {
+  double posterior = 0, prior = 0;
+};
+
+/// Over all observations that were held out.
+std::optional<Means> held_out_score(const CalibrationResult& result) {
+  Means sum;
+  double count = 0;
+  for (const HeldOut& held : result.held_out) {
+    const auto n = static_cast<double>(held.observations);
+    sum.posterior += n * held.posterior;
+    sum.prior += n * held.prior;
+    count += n;
+  }
+  if (count == 0) return std::nullopt;
+  return Means{sum.posterior / count, sum.prior / count};
+}
+
+void print_posterior(const PreparedStudy& study, const CalibrationResult& result) {
+  std::vector<double> weights;
+  for (const SetResult& set : result.sets) weights.push_back(set.weight);
+  std::size_t longest = 0;
+  for (const SoughtParameter& parameter : study.parameters()) longest = std::max(longest, parameter.name.size());
+  fmt::print("{:{}}  {:>10} {:>10} {:>10}   {:>10}\n", "", longest, "5 %", "median", "95 %", "best set");
+  for (std::size_t k = 0; k < study.parameters().size(); ++k) {
+    std::vector<double> values;
+    for (const SetResult& set : result.sets) values.push_back(set.values[k]);
+    const auto q = [&](double share) { return calibration::weighted_quantile(values, weights, share); };
+    fmt::print("{:{}}  {:>10.4g} {:>10.4g} {:>10.4g}   {:>10.4g}\n", study.parameters()[k].name, longest, q(0.05),
+               q(0.5), q(0.95), result.sets[result.best].values[k]);
+  }
+  fmt::print("The posterior is as accurate as {:.0f} independent sets\n", result.effective_sets);
+  if (const auto score = held_out_score(result)) {
+    fmt::print("Held-out score {:.3f}; with the prior {:.3f}\n", score->posterior, score->prior);
+  }
+}
+
+CalibrationResult run_one(const Study& study, const StudyModel* model, const std::filesystem::path& folder,
+                          const CalibrateOptions& options) {
+  const StopScope scope(&stop_wanted());
+  Problems warnings;
+  const PreparedStudy prepared(study, model, warnings);
+  print_warnings(warnings);
+  std::optional<Progress> progress;
+  if (!options.quiet) progress.emplace(static_cast<std::uint64_t>(study.draws), "sets");
+  calibration::FolderOptions how{.threads = options.threads};
+  if (progress) how.progress = [&](std::size_t done, std::size_t) { (*progress)(done); };
+  CalibrationResult result = calibration::calibrate_into(folder, prepared, how);
+  progress.reset();
+  print_warnings(result.warnings);
+  if (!options.quiet) {
+    if (model != nullptr) fmt::print("Model {}\n", model->name);
+    print_posterior(prepared, result);
+    fmt::print("Results are in {}; open report.html to view them\n", folder.string());
+    flush_output();
+  }
+  return result;
+}
+
+/// The folder of a model's results.
+std::filesystem::path model_folder(const std::filesystem::path& folder, std::size_t model) {
+  return folder / fmt::format("model-{}", model + 1);
+}
+
+}  // namespace
+
+int calibrate(const CalibrateOptions& options) {
+  take_threads(options.threads);
+  const calibration::StudyReading reading = calibration::read_study(options.study);
+  print_warnings(reading.warnings);
+  const Study& study = reading.study;
+  const std::filesystem::path folder = options.folder.empty() ? study.file.parent_path() / study.name : options.folder;
+  catch_stop_signals();
+  try {
+    if (study.models.empty()) {
+      static_cast<void>(run_one(study, nullptr, folder, options));
+      return done;
+    }
+    make_output_folder(folder);
+    std::string table;
+    CsvRow header(table);
+    header << "model"
+           << "folder"
+           << "held_out_score"
+           << "prior_score"
+           << "effective_sets";
+    header.end();
+    for (std::size_t k = 0; k < study.models.size(); ++k) {
+      const CalibrationResult result = run_one(study, &study.models[k], model_folder(folder, k), options);
+      const Means score = held_out_score(result).value_or(Means{});
+      CsvRow row(table);
+      row << std::string_view(study.models[k].name) << std::string_view(model_folder(folder, k).filename().string())
+          << score.posterior << score.prior << result.effective_sets;
+      row.end();
+    }
+    OutputFile file(folder / "models.csv");
+    file.write(table);
+    file.commit();
+    if (!options.quiet) fmt::print("\n{}", table);
+    return done;
+  } catch (const Stopped&) {
+    to_stderr("stopped; finished sets are kept in {}, and the same command continues from there\n", folder.string());
+    return stopped;
+  }
+}
+
+}  // namespace talus::cli

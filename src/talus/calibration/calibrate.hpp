@@ -1,0 +1,127 @@
+#pragma once
+// Calibration: which parameters of the projects of a study agree with what was observed.
+//
+// Sets of parameters are drawn in rounds (sampler.hpp) and simulated with the same draws of rocks; the likelihood of
+// each comes from its simulated rocks (likelihood.hpp). Beside it stands a proper score, the energy distance between
+// the simulated and the observed distribution, with the threshold that chance alone gives: the distance between
+// resamples of the observations and the observations.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "talus/calibration/observations.hpp"
+#include "talus/calibration/sampler.hpp"
+#include "talus/calibration/study.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/study/parameter.hpp"
+#include "talus/study/prepared_site.hpp"
+
+namespace talus::calibration {
+
+/// A parameter that is sought: one value, at one or several sites.
+struct SoughtParameter {
+  std::string name;  // its path; with `@SITE` if each site has its own
+  std::string unit;
+  study::Prior prior;
+  std::vector<std::optional<study::SettingNumber>> at_site;  // by site; nullopt: not there
+};
+
+/// A study whose projects, observations and parameters have been read and checked.
+class PreparedStudy {
+ public:
+  /// Builds the models and reads the observations. Throws BadInput with all problems; doubts are added to `warnings`.
+  /// `variant`: one of the study's models; null: the projects as they are.
+  PreparedStudy(Study study, const StudyModel* variant, Problems& warnings);
+
+  [[nodiscard]] const Study& study() const { return study_; }
+  [[nodiscard]] const std::vector<study::PreparedSite>& sites() const { return sites_; }
+  [[nodiscard]] const std::vector<ObservedGroup>& groups() const { return groups_; }
+  [[nodiscard]] const std::vector<SoughtParameter>& parameters() const { return parameters_; }
+
+  /// One value for each parameter.
+  [[nodiscard]] study::ParameterSet values_at(const Place& place) const;
+  /// The parameters that a site has, and which of the study's they are.
+  struct AtSite {
+    std::vector<study::SettingNumber> numbers;
+    std::vector<std::size_t> of;  // indices of parameters()
+    [[nodiscard]] study::ParameterSet values(const study::ParameterSet& all) const;
+  };
+  [[nodiscard]] const AtSite& at_site(std::size_t site) const { return at_site_[site]; }
+  /// The settings of the variant.
+  [[nodiscard]] const std::vector<std::string>& overrides() const { return overrides_; }
+  /// Identifies the study, its projects and observations, and the program.
+  [[nodiscard]] const std::string& fingerprint() const { return fingerprint_; }
+
+ private:
+  void find_parameters(Problems& problems);
+  void check_dependence(Problems& warnings) const;
+
+  Study study_;
+  std::vector<study::PreparedSite> sites_;
+  std::vector<ObservedGroup> groups_;
+  std::vector<SoughtParameter> parameters_;
+  std::vector<AtSite> at_site_;
+  std::vector<std::string> overrides_;
+  std::string fingerprint_;
+};
+
+/// The simulated rocks of one set, and how they compare with the observations.
+struct SetResult {
+  std::size_t round = 0;
+  study::ParameterSet values;
+  std::vector<Sample> samples;        // by group
+  std::vector<LogDensity> densities;  // by group; without weights
+  std::vector<double> distances;      // by group: energy distance over the observed spread
+  double log_likelihood = 0;          // -infinity: a line that no rock reaches
+  double score = 0;                   // mean distance over groups
+  double weight = 0;                  // in the posterior; all add up to 1
+};
+
+/// A score of predictions of observations that were held out, over the spread of the observations: of the posterior
+/// from the others, of the prior, and of the distribution of the other observations themselves. Lower is better.
+struct HeldOut {
+  std::string name;  // "fold 1", or the site
+  std::size_t observations = 0;
+  double posterior = 0, prior = 0;
+  std::optional<double> constant;  // nullopt: there are no other observations of this kind
+};
+
+struct CalibrationResult {
+  std::vector<SetResult> sets;     // in the order of their draws
+  std::vector<double> thresholds;  // by group: the distance that 95 % of resamples of the observations have at most
+  std::size_t best = 0;            // the set of least score
+  double effective_sets = 0;       // of the posterior
+  /// Factor by which the variances of summaries were increased because no set reproduces the observations; 1: none.
+  double misfit = 1;
+  std::vector<HeldOut> held_out;
+  Problems warnings;
+};
+
+struct CalibrationOptions {
+  int threads = 0;  // 0: as many as there are cores
+  /// Called with the number of sets done and of all sets; by one thread at a time.
+  std::function<void(std::size_t done, std::size_t all)> progress{};
+  /// Returns the samples of a set that an earlier calibration has simulated.
+  std::function<std::optional<std::vector<Sample>>(std::size_t set)> known{};
+  /// Called with sets that are finished, in their order.
+  std::function<void(std::size_t first, const std::vector<SetResult>& sets)> finished{};
+  /// For tests of the method: factor of the logarithm of the likelihood. Anything but 1 is wrong.
+  double likelihood_power = 1;
+};
+
+/// Throws Stopped at the request of the thread's StopScope.
+[[nodiscard]] CalibrationResult calibrate(const PreparedStudy& study, const CalibrationOptions& options = {});
+
+/// The sets whose score is below the thresholds of all groups.
+[[nodiscard]] bool agrees(const SetResult& set, const CalibrationResult& result);
+
+/// Simulated values of a group's features under several sets with these weights: `count` rows, drawn evenly.
+[[nodiscard]] Eigen::MatrixXd mixture_of(const std::vector<SetResult>& sets, std::span<const double> weights,
+                                         std::size_t group, std::size_t count);
+
+}  // namespace talus::calibration

@@ -1,0 +1,50 @@
+#pragma once
+// What was observed at a site, and the same quantities of simulated rocks.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "talus/calibration/likelihood.hpp"
+#include "talus/calibration/study.hpp"
+#include "talus/study/prepared_site.hpp"
+
+namespace talus::calibration {
+
+/// How places on plan become distances: along the line from the releases towards the observed stops, and to its left.
+struct PlanAxis {
+  Vec2 origin = Vec2::Zero();  // mean of the releases [m]
+  Vec2 along = Vec2::UnitX();  // unit
+  [[nodiscard]] Vec2 of(const Vec3& p) const {
+    const Vec2 way = p.head<2>() - origin;
+    return {along.dot(way), along.x() * way.y() - along.y() * way.x()};
+  }
+};
+
+enum class ObservationKind { stops, values };
+enum class LineValue { height, velocity, energy };
+
+/// Observations of one file.
+struct ObservedGroup {
+  std::string name;
+  std::size_t site = 0;  // of the study
+  ObservationKind kind = ObservationKind::stops;
+  std::vector<Feature> features;  // of stops: runout, lateral; of values: those of the file
+  Sample sample;                  // strata: the seeders, by index, if the file names them
+  double weight = 1;
+
+  PlanAxis axis;                  // of stops
+  BarrierId barrier;              // of values
+  std::vector<LineValue> values;  // of values, by feature
+  std::vector<Vec3> positions;    // of stops, as observed; z is 0 if it was not
+};
+
+/// Reads the observations of one entry of the study. Throws BadInput with all problems; doubts are added to `warnings`.
+[[nodiscard]] ObservedGroup read_observations(const Study& study, const StudyObservations& from, std::size_t site,
+                                              const study::PreparedSite& prepared, Problems& warnings);
+
+/// The simulated values of a group's features, a row for each rock that has them: all rocks for stops; the rocks that
+/// arrive for values.
+[[nodiscard]] Sample simulated_sample(const ObservedGroup& group, const study::SetOutcome& outcome);
+
+}  // namespace talus::calibration

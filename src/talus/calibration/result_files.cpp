@@ -1,0 +1,230 @@
+#include "talus/calibration/result_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "talus/calibration/doubts.hpp"
+#include "talus/calibration/saved_sets.hpp"
+#include "talus/files/csv_text.hpp"
+#include "talus/files/folder_lock.hpp"
+#include "talus/files/output_file.hpp"
+#include "talus/project/document.hpp"
+
+namespace talus::calibration {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void write_file(const std::filesystem::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+/// A site's name as the name of a file.
+std::string file_name(const std::string& name) {
+  std::string safe = name;
+  std::ranges::replace_if(
+      safe,
+      [](unsigned char c) {
+        return c < ' ' || std::string_view("/\\:*?\"<>|").find(static_cast<char>(c)) != std::string_view::npos;
+      },
+      '_');
+  return (safe.starts_with('.') ? "_" + safe : safe) + ".toml";
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+Json quantiles_of(const std::vector<double>& values, const std::vector<double>& weights) {
+  Json quantiles;
+  for (const auto& [name, q] : {std::pair{"p05", 0.05}, {"p25", 0.25}, {"p50", 0.5}, {"p75", 0.75}, {"p95", 0.95}}) {
+    quantiles[name] = weighted_quantile(values, weights, q);
+  }
+  return quantiles;
+}
+
+std::string summary_of(const PreparedStudy& study, const CalibrationResult& result) {
+  std::vector<double> weights;
+  std::size_t agreeing = 0;
+  for (const SetResult& set : result.sets) {
+    weights.push_back(set.weight);
+    agreeing += agrees(set, result) ? 1U : 0U;
+  }
+  const bool has_posterior = result.effective_sets > 0;
+  Json json;
+  json["talus"] = TALUS_VERSION;
+  json["study"] = study.study().name;
+  json["seed"] = study.study().seed;
+  json["fingerprint"] = study.fingerprint();
+  json["sets"] = result.sets.size();
+  json["rocks_per_set"] = study.study().rocks;
+  json["agreeing_sets"] = agreeing;
+  json["effective_sets"] = result.effective_sets;
+  json["misfit"] = result.misfit;
+  json["best"] = {{"set", result.best}, {"score", result.sets[result.best].score}, {"values", Json::object()}};
+  json["parameters"] = Json::array();
+  for (std::size_t k = 0; k < study.parameters().size(); ++k) {
+    const SoughtParameter& parameter = study.parameters()[k];
+    json["best"]["values"][parameter.name] = result.sets[result.best].values[k];
+    std::vector<double> values;
+    for (const SetResult& set : result.sets) values.push_back(set.values[k]);
+    const Learned learned = learned_about(k, study, result);
+    Json prior;
+    for (const auto& [name, q] : {std::pair{"p05", 0.05}, {"p50", 0.5}, {"p95", 0.95}})
+      prior[name] = parameter.prior.value(q);
+    json["parameters"].push_back({{"name", parameter.name},
+                                  {"unit", parameter.unit},
+                                  {"prior", prior},
+                                  {"posterior", has_posterior ? quantiles_of(values, weights) : Json()},
+                                  {"width_of_prior", learned.width}});
+  }
+  json["observations"] = Json::array();
+  for (std::size_t g = 0; g < study.groups().size(); ++g) {
+    const ObservedGroup& group = study.groups()[g];
+    Json features = Json::array();
+    for (std::size_t f = 0; f < group.features.size(); ++f) {
+      const auto column = group.sample.rows.col(static_cast<Eigen::Index>(f));
+      const double mean = column.mean();
+      const auto n = static_cast<double>(column.size());
+      Json feature{
+          {"name", group.features[f].name},
+          {"unit", group.features[f].unit},
+          {"observed_mean", mean},
+          {"observed_std_dev", n > 1 ? Json(std::sqrt((column.array() - mean).square().sum() / (n - 1))) : Json()}};
+      if (has_posterior) {
+        const Eigen::MatrixXd predicted = mixture_of(result.sets, weights, g, 2000);
+        const auto of = predicted.col(static_cast<Eigen::Index>(f));
+        feature["predicted_mean"] = of.mean();
+        feature["predicted_std_dev"] = std::sqrt((of.array() - of.mean()).square().mean());
+      }
+      features.push_back(std::move(feature));
+    }
+    json["observations"].push_back({{"name", group.name},
+                                    {"site", study.study().sites[group.site].name},
+                                    {"count", group.sample.rows.rows()},
+                                    {"threshold", result.thresholds[g]},
+                                    {"best_distance", finite(result.sets[result.best].distances[g])},
+                                    {"features", std::move(features)}});
+  }
+  json["held_out"] = Json::array();
+  for (const HeldOut& held : result.held_out) {
+    json["held_out"].push_back({{"name", held.name},
+                                {"observations", held.observations},
+                                {"posterior", held.posterior},
+                                {"prior", held.prior},
+                                {"constant", held.constant ? Json(*held.constant) : Json()}});
+  }
+  json["warnings"] = Json::array();
+  for (const Problem& problem : result.warnings.list()) json["warnings"].push_back(problem.text());
+  return json.dump(2) + '\n';
+}
+
+}  // namespace
+
+std::string posterior_table(const PreparedStudy& study, const CalibrationResult& result) {
+  constexpr double negligible = 1e-9;
+  std::string text;
+  CsvRow header(text);
+  header << "weight"
+         << "score";
+  for (const SoughtParameter& parameter : study.parameters()) header << std::string_view(parameter.name);
+  header.end();
+  for (const SetResult& set : result.sets) {
+    if (set.weight < negligible) continue;
+    CsvRow row(text);
+    row << set.weight << set.score;
+    for (const double value : set.values) row << value;
+    row.end();
+  }
+  return text;
+}
+
+std::string sets_table(const PreparedStudy& study, const CalibrationResult& result) {
+  std::string text;
+  CsvRow header(text);
+  header << "set"
+         << "round"
+         << "weight"
+         << "score"
+         << "log_likelihood"
+         << "agrees";
+  for (const SoughtParameter& parameter : study.parameters()) header << std::string_view(parameter.name);
+  header.end();
+  for (std::size_t k = 0; k < result.sets.size(); ++k) {
+    const SetResult& set = result.sets[k];
+    CsvRow row(text);
+    row << k << set.round << set.weight << set.score;
+    if (std::isfinite(set.log_likelihood)) {
+      row << set.log_likelihood;
+    } else {
+      row << "-inf";
+    }
+    row << (agrees(set, result) ? "yes" : "no");
+    for (const double value : set.values) row << value;
+    row.end();
+  }
+  return text;
+}
+
+std::string project_with(const PreparedStudy& study, std::size_t site, const study::ParameterSet& values,
+                         const std::filesystem::path& folder) {
+  const study::PreparedSite& prepared = study.sites()[site];
+  const PreparedStudy::AtSite& here = study.at_site(site);
+  const std::filesystem::path& file = prepared.project().file;
+  project::Document document(project::text_of_file(file), file.string());
+  Problems problems;
+  for (const std::string& setting : study.study().sites[site].set) document.set(setting, problems);
+  for (const std::string& setting : study.overrides()) document.set(setting, problems);
+  const project::Project with = prepared.with(here.numbers, here.values(values));
+  for (const study::SettingNumber& number : here.numbers) {
+    for (const std::string& setting : number.overrides(with)) document.set(setting, problems);
+  }
+  const auto absolute = [](const std::filesystem::path& path) {
+    return std::filesystem::absolute(path).lexically_normal();
+  };
+  for (const project::NamedFile& named : prepared.project().named_files) {
+    const std::filesystem::path target = absolute(file.parent_path() / named.file);
+    const std::filesystem::path relative = target.lexically_relative(absolute(folder));
+    document.set(fmt::format("{}='{}'", named.path, (relative.empty() ? target : relative).generic_string()), problems);
+  }
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+  std::ostringstream text;
+  text << fmt::format("# The best fit of the study {}, written by talus calibrate.\n", study.study().name)
+       << toml::toml_formatter(document.root()) << '\n';
+  return std::move(text).str();
+}
+
+void write_results(const std::filesystem::path& folder, const PreparedStudy& study, const CalibrationResult& result) {
+  write_file(folder / "posterior.csv", posterior_table(study, result));
+  write_file(folder / "sets.csv", sets_table(study, result));
+  const std::filesystem::path best = folder / "best";
+  make_output_folder(best);
+  for (std::size_t site = 0; site < study.sites().size(); ++site) {
+    write_file(best / file_name(study.study().sites[site].name),
+               project_with(study, site, result.sets[result.best].values, best));
+  }
+  write_file(folder / "report.html", report_of(study, result));
+  write_file(folder / "summary.json", summary_of(study, result));
+}
+
+CalibrationResult calibrate_into(const std::filesystem::path& folder, const PreparedStudy& study,
+                                 const FolderOptions& options) {
+  make_output_folder(folder);
+  const FolderLock lock = lock_output_folder(folder);
+  const std::filesystem::path sets = folder / "sets";
+  make_output_folder(sets);
+  const SavedSets saved(sets, study.fingerprint());
+  CalibrationResult result = calibrate(
+      study, {.threads = options.threads,
+              .progress = options.progress,
+              .known = [&](std::size_t set) { return saved.of(set); },
+              .finished = [&](std::size_t first, const std::vector<SetResult>& done) { saved.save(first, done); }});
+  write_results(folder, study, result);
+  return result;
+}
+
+}  // namespace talus::calibration

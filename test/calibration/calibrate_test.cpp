@@ -1,0 +1,243 @@
+// Calibrations from files to results: recovery of known parameters, the same bits on any number of threads and after a
+// stop, files that other commands can read, and warnings.
+
+#include "talus/calibration/calibrate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <boost/math/distributions/binomial.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/input_folder.hpp"
+#include "support/projects.hpp"
+#include "talus/calibration/result_files.hpp"
+#include "talus/core/random.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/model/model.hpp"
+#include "talus/project/read.hpp"
+
+namespace talus::calibration {
+namespace {
+
+using testing_tools::replaced;
+
+const std::string slope = R"(
+[terrain]
+section = [[0, 0], [40, -40], [70, -55], [300, -60]]
+[[material]]
+name = "Scree"
+normal_restitution = { mean = 0.3, distribution = "normal", std_dev = 0.04 }
+tangential_restitution = { mean = 0.9, distribution = "normal", std_dev = 0.04 }
+friction_angle_deg = 30
+roughness_deg = 5
+[[seeder]]
+name = "Cliff"
+type = "point"
+position = [1, 3]
+mass_kg = 300
+rocks = 40
+horizontal_velocity_m_s = 2
+[[collector]]
+name = "Road"
+line = 60
+height_m = 20
+)";
+
+const std::string study_text = R"(
+rocks = 80
+draws = 240
+folds = 3
+[[site]]
+project = "slope.toml"
+[[observations]]
+stops = "stops.csv"
+[[parameter]]
+path = "material.Scree.tangential_restitution"
+range = [0.6, 0.9]
+[[parameter]]
+path = "material.Scree.roughness_deg"
+range = [1, 12]
+)";
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
+
+class Calibrations : public testing_tools::InputFolder {
+ protected:
+  Calibrations() {
+    write("slope.toml", slope);
+    write("study.toml", study_text);
+  }
+
+  /// Observed stops of this many rocks with these values, and their arrivals at the road.
+  void observe(int rocks, double tangential, double roughness, std::uint64_t seed) {
+    project::Reading reading =
+        project::read_project_text(slope, "slope.toml",
+                                   {{"material.Scree.tangential_restitution.mean=" + std::to_string(tangential),
+                                     "material.Scree.roughness_deg=" + std::to_string(roughness)},
+                                    rocks,
+                                    seed});
+    const study::PreparedSite site(std::move(reading.project), warnings_);
+    const study::SetOutcome outcome = site.run({}, {});
+    std::string stops = "x_m\n", values = "velocity_m_s,energy_kJ\n";
+    for (const study::RockEnd& end : outcome.ends) {
+      const auto [a, b] = uniform_pair(seed, end.rock, static_cast<Stream>(6000), 0);
+      const double error = 0.5 * std::sqrt(-2 * std::log(a)) * std::cos(2 * 3.141592653589793 * b);
+      stops += std::to_string(end.end.x() + error) + "\n";
+    }
+    for (const study::Crossing& crossing : outcome.crossings)
+      values += std::to_string(crossing.speed) + "," +
+                std::to_string((crossing.translational_energy + crossing.rotational_energy) / 1000) + "\n";
+    write("stops.csv", stops);
+    write("values.csv", values);
+  }
+
+  PreparedStudy prepared() {
+    warnings_ = {};
+    return {read_study(path("study.toml")).study, nullptr, warnings_};
+  }
+
+  static bool holds(const CalibrationResult& result, std::size_t parameter, double truth) {
+    std::vector<double> values, weights;
+    for (const SetResult& set : result.sets) {
+      values.push_back(set.values[parameter]);
+      weights.push_back(set.weight);
+    }
+    return weighted_quantile(values, weights, 0.05) <= truth && truth <= weighted_quantile(values, weights, 0.95);
+  }
+};
+
+TEST_F(Calibrations, RecoverKnownParametersAndPredict) {
+  observe(40, 0.75, 6, 11);
+  const PreparedStudy study = prepared();
+  const CalibrationResult result = calibrate(study);
+  ASSERT_EQ(result.sets.size(), 240U);
+  double sum = 0;
+  for (const SetResult& set : result.sets) sum += set.weight;
+  EXPECT_NEAR(sum, 1, 1e-9);
+  const auto& best = result.sets[result.best];
+  EXPECT_NEAR(best.values[0], 0.75, 0.06);
+  EXPECT_TRUE(agrees(best, result));
+  EXPECT_EQ(result.misfit, 1);
+  ASSERT_EQ(result.held_out.size(), 3U);
+  double posterior = 0, prior = 0;
+  for (const HeldOut& held : result.held_out) {
+    posterior += held.posterior;
+    prior += held.prior;
+    EXPECT_TRUE(held.constant.has_value());
+  }
+  EXPECT_LT(posterior, prior);
+}
+
+TEST_F(Calibrations, LearnFromValuesAtALine) {
+  observe(60, 0.75, 6, 12);
+  write("study.toml", replaced(study_text, "stops = \"stops.csv\"", "values = \"values.csv\"\nat = \"Road\""));
+  const PreparedStudy study = prepared();
+  EXPECT_EQ(study.groups().front().features.size(), 2U);
+  const CalibrationResult result = calibrate(study);
+  EXPECT_TRUE(agrees(result.sets[result.best], result));
+  EXPECT_NEAR(result.sets[result.best].values[0], 0.75, 0.06);
+}
+
+TEST_F(Calibrations, GiveTheSameFilesOnAnyNumberOfThreadsAndAfterAStop) {
+  observe(30, 0.7, 6, 13);
+  const PreparedStudy study = prepared();
+  static_cast<void>(calibrate_into(path("one"), study, {.threads = 1}));
+  static_cast<void>(calibrate_into(path("three"), study, {.threads = 3}));
+
+  std::atomic<bool> stop{false};
+  std::size_t reached = 0;
+  try {
+    const StopScope scope(&stop);
+    static_cast<void>(
+        calibrate_into(path("stopped"), study, {.threads = 2, .progress = [&](std::size_t done, std::size_t) {
+                                                  reached = done;
+                                                  if (done > 96) stop = true;
+                                                }}));
+    ADD_FAILURE() << "was not stopped";
+  } catch (const Stopped&) {
+  }
+  EXPECT_LT(reached, 240U);
+  EXPECT_FALSE(std::filesystem::exists(path("stopped/posterior.csv")));
+  static_cast<void>(calibrate_into(path("stopped"), study, {}));
+  for (const std::string file : {"posterior.csv", "sets.csv", "summary.json", "report.html", "best/site 1.toml"}) {
+    EXPECT_EQ(bytes_of(path("one") / file), bytes_of(path("three") / file)) << file;
+    EXPECT_EQ(bytes_of(path("one") / file), bytes_of(path("stopped") / file)) << file;
+    EXPECT_NE(bytes_of(path("one") / file), "") << file;
+  }
+}
+
+TEST_F(Calibrations, WriteTheBestFitAsAProjectInItsPlace) {
+  observe(30, 0.7, 6, 14);
+  std::filesystem::create_directories(path("terrain"));
+  const PreparedStudy study = prepared();
+  const CalibrationResult result = calibrate_into(path("out"), study, {});
+  project::Reading best = project::read_project(path("out/best/site 1.toml"));
+  EXPECT_EQ(best.project.materials[0].tangential_restitution.mean, result.sets[result.best].values[0]);
+  EXPECT_EQ(best.project.materials[0].tangential_restitution.std_dev, 0.04);
+  EXPECT_EQ(best.project.materials[0].roughness_deg.mean, result.sets[result.best].values[1]);
+  EXPECT_NO_THROW(static_cast<void>(project::build_model(best.project, best.warnings)));
+  const std::string header = "weight,score,material.Scree.tangential_restitution,material.Scree.roughness_deg\n";
+  EXPECT_EQ(bytes_of(path("out/posterior.csv")).substr(0, header.size()), header);
+}
+
+TEST_F(Calibrations, SimulateAnotherStudyAnew) {
+  observe(30, 0.7, 6, 15);
+  static_cast<void>(calibrate_into(path("out"), prepared(), {}));
+  const std::string before = bytes_of(path("out/posterior.csv"));
+  observe(30, 0.85, 3, 16);
+  static_cast<void>(calibrate_into(path("out"), prepared(), {}));
+  EXPECT_NE(bytes_of(path("out/posterior.csv")), before);
+}
+
+TEST_F(Calibrations, SayWhatCannotBeReached) {
+  write("stops.csv", "x_m\n250\n255\n260\n265\n270\n251\n256\n261\n266\n271\n");
+  const PreparedStudy study = prepared();
+  const CalibrationResult result = calibrate(study);
+  EXPECT_NE(result.warnings.text().find("no parameters within the ranges give a runout of more than"),
+            std::string::npos)
+      << result.warnings.text();
+  EXPECT_NE(result.warnings.text().find("; observed 270 m"), std::string::npos) << result.warnings.text();
+  EXPECT_GT(result.misfit, 1);
+}
+
+/// The whole calibration of many synthetic sites; with `make soak`.
+TEST_F(Calibrations, CalibrationCoverageOfWholeCalibrations) {
+  const char* effort = std::getenv("TALUS_TEST_EFFORT");
+  if (effort == nullptr || std::atof(effort) < 10) GTEST_SKIP() << "takes minutes; make soak runs it";
+  constexpr int replicas = 110;
+  std::vector<int> right(2, 0), wrong(2, 0);
+  write("study.toml", replaced(replaced(study_text, "draws = 240", "draws = 900"), "folds = 3", "folds = 0"));
+  for (int replica = 0; replica < replicas; ++replica) {
+    const auto [a, b] = uniform_pair(9, static_cast<std::uint64_t>(replica), static_cast<Stream>(6001), 0);
+    const std::vector<double> truth{0.6 + 0.3 * a, 1 + 11 * b};
+    observe(25, truth[0], truth[1], 500 + static_cast<std::uint64_t>(replica));
+    const PreparedStudy study = prepared();
+    const CalibrationResult result = calibrate(study), sharp = calibrate(study, {.likelihood_power = 9});
+    for (std::size_t k = 0; k < 2; ++k) {
+      right[k] += holds(result, k, truth[k]) ? 1 : 0;
+      wrong[k] += holds(sharp, k, truth[k]) ? 1 : 0;
+    }
+  }
+  const boost::math::binomial law(replicas, 0.9);
+  for (std::size_t k = 0; k < 2; ++k) {
+    RecordProperty("right " + std::to_string(k), right[k]);
+    RecordProperty("wrong " + std::to_string(k), wrong[k]);
+    EXPECT_GE(right[k], boost::math::quantile(law, 0.001));
+    EXPECT_LE(right[k], boost::math::quantile(law, 0.999) + 1);
+    EXPECT_LT(wrong[k], boost::math::quantile(law, 0.001));
+  }
+}
+
+}  // namespace
+}  // namespace talus::calibration
