@@ -6,7 +6,7 @@
 
 # In this order on the page: each may use the ones before it.
 set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain inputs slope mapframe plan maps
-  envelopes energy distributions observed impacts barriers design paper page)
+  envelopes energy distributions observed impacts barriers design convergence uncertainty paper page)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   # Sets `out` to a script that declares when each setting has an effect: x-applies-when of the generated schema, by table

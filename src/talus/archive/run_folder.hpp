@@ -9,10 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/archive/convergence.hpp"
 #include "talus/archive/report_envelopes.hpp"
 #include "talus/archive/report_maps.hpp"
 #include "talus/archive/run_summary.hpp"
 #include "talus/archive/table_columns.hpp"
+#include "talus/archive/uncertainty.hpp"
 
 namespace talus {
 
@@ -53,6 +55,8 @@ struct RunFolder {
   std::vector<ImpactLoss> impact_losses{};  // [0]: first impact; the first hundred are kept
   std::vector<ReportMap> maps{};
   ReportEnvelopes envelopes{};
+  Convergence convergence{};
+  Uncertainty uncertainty{};
   std::vector<std::string> notes{};  // on missing parts, for the reader of the page
 };
 

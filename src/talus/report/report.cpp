@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/files/output_file.hpp"
+#include "talus/report/html_page.hpp"
 #include "talus/report/observed_comparison.hpp"
 #include "talus/report/page/assets.hpp"
 #include "talus/report/report_histograms.hpp"
@@ -167,6 +167,46 @@ Json envelopes_of(const RunFolder& run) {
   return {{"cells_each", run.envelopes.cells_each}, {"columns", std::move(columns)}, {"rows", std::move(rows)}};
 }
 
+// Each step: rocks, value, and the ends of its interval.
+Json convergence_of(const RunFolder& run) {
+  auto figures = Json::array();
+  const auto or_null = [](const std::optional<double>& value) { return value ? Json(in_short(*value)) : Json(); };
+  for (const FigureConvergence& each : run.convergence.figures) {
+    auto steps = Json::array();
+    for (const ConvergenceStep& step : each.steps) {
+      if (!step.estimate) continue;
+      const Estimate& e = *step.estimate;
+      steps.push_back({step.rocks, in_short(e.value), or_null(e.low), or_null(e.high)});
+    }
+    figures.push_back({{"line", each.line},
+                       {"text", each.figure.text()},
+                       {"unit", quantity_of(each.figure.of).unit},
+                       {"steps", std::move(steps)},
+                       {"rocks_needed", each.rocks_needed ? Json(*each.rocks_needed) : Json()}});
+  }
+  return {
+      {"confidence", Convergence::confidence}, {"tolerance", Convergence::tolerance}, {"figures", std::move(figures)}};
+}
+
+// Each range: the value of all rocks, and its ends.
+Json uncertainty_of(const RunFolder& run) {
+  auto figures = Json::array();
+  const auto range = [](const Estimate& e) { return Json{in_short(e.value), in_short(*e.low), in_short(*e.high)}; };
+  for (const FigureUncertainty& each : run.uncertainty.figures) {
+    figures.push_back({{"line", each.line},
+                       {"text", each.figure.text()},
+                       {"unit", quantity_of(each.figure.of).unit},
+                       {"ensembles", each.ensembles},
+                       {"total", range(each.total)},
+                       {"parameters", range(each.parameters)},
+                       {"rocks", range(each.rocks)},
+                       {"parameter_share", in_short(each.parameter_share)}});
+  }
+  return {{"ensembles", run.uncertainty.ensembles},
+          {"confidence", Uncertainty::confidence},
+          {"figures", std::move(figures)}};
+}
+
 // Red, green and blue of the classes of maps.
 Json map_colours() {
   auto colours = Json::array();
@@ -178,50 +218,18 @@ Json data_of(const RunFolder& run, const RunSummary& summary) {
   stop_point();
   const auto whole = std::filesystem::absolute(run.folder).lexically_normal();
   const auto last = whole.has_filename() ? whole.filename() : whole.parent_path().filename();
-  return {{"folder", last.string()},        {"date", run.date},
-          {"summary", json_of(summary)},    {"endpoints", endpoints_of(run)},
-          {"paths", paths_of(run)},         {"hits", hits_of(run)},
-          {"losses", losses_of(run)},       {"maps", maps_of(run)},
-          {"envelopes", envelopes_of(run)}, {"notes", run.notes}};
-}
-
-std::string escaped(std::string_view text) {
-  static const std::map<char, std::string_view> entities{
-      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
-  std::string out;
-  for (const char c : text) {
-    if (const auto found = entities.find(c); found != entities.end()) {
-      out += found->second;
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-// JSON for a script element: no name in it can end the element or open a comment.
-std::string json_for_script(const Json& value) {
-  std::string out;
-  for (const char c : value.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<') {
-      out += "\\u003c";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-// Fills the template's placeholders in one pass, so that inserted text is never taken for a placeholder.
-std::string filled(std::string_view page, const std::map<std::string_view, std::string_view>& values) {
-  std::string out;
-  for (std::size_t at = 0;;) {
-    const std::size_t open = page.find("{{", at);
-    if (open == std::string_view::npos) return out.append(page.substr(at));
-    const std::size_t close = page.find("}}", open);
-    out.append(page.substr(at, open - at)).append(values.at(page.substr(open + 2, close - open - 2)));
-    at = close + 2;
-  }
+  return {{"folder", last.string()},
+          {"date", run.date},
+          {"summary", json_of(summary)},
+          {"endpoints", endpoints_of(run)},
+          {"paths", paths_of(run)},
+          {"hits", hits_of(run)},
+          {"losses", losses_of(run)},
+          {"maps", maps_of(run)},
+          {"envelopes", envelopes_of(run)},
+          {"convergence", convergence_of(run)},
+          {"uncertainty", uncertainty_of(run)},
+          {"notes", run.notes}};
 }
 
 std::string title_of(std::span<const RunFolder> runs) {
@@ -243,12 +251,7 @@ std::string report_page(std::span<const RunFolder> runs, std::span<const Json> o
     Json& run = data["runs"].emplace_back(data_of(runs[k], summaries[k]));
     if (!observed.empty()) run["observed"] = observed[k];
   }
-  const std::string title = escaped(title_of(runs)), json = json_for_script(data);
-  return filled(assets::page, {{"title", title},
-                               {"style", assets::style},
-                               {"figures", assets::figures},
-                               {"data", json},
-                               {"script", assets::script}});
+  return html_page(title_of(runs), data, assets::script);
 }
 
 ReportNotes write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,

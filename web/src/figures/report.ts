@@ -18,4 +18,5 @@ export * from './histogram';
 export { endsAround } from './oneValue';
 export { axes, extentOf, legend, pointIn, sign } from './plot';
 export * from './tip';
+export * from './tornado';
 export { hasEffect } from '../settings/conditions';

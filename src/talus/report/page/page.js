@@ -56,6 +56,8 @@ if (runs.some((run) => run.observed)) section('Observed stops', 'observed', obse
 section('End reasons', 'reasons', endReasons);
 if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);
 if (designsOf().length) section('Barrier design', 'design', designSections);
+if (runs.some((run) => run.uncertainty.figures.length)) section('Uncertainty', 'uncertainty', uncertaintySections);
+if (runs.some((run) => run.convergence.figures.length)) section('Precision', 'precision', convergenceSections);
 section('Energy', 'energy', (node) => { energyFigures(node); impactFigure(node); });
 section('Model', 'model', modelTables);
 fitTablesToPaper();

@@ -1,10 +1,10 @@
-#include "talus/sensitivity/bootstrap.hpp"
+#include "talus/statistics/bootstrap.hpp"
 
 #include <algorithm>
 #include <numeric>
 
 #include "talus/core/stop.hpp"
-#include "talus/sensitivity/counted_draws.hpp"
+#include "talus/statistics/counted_draws.hpp"
 #include "talus/statistics/quantile.hpp"
 
 namespace talus {

@@ -22,7 +22,7 @@
 #include <span>
 #include <vector>
 
-#include "talus/sensitivity/bootstrap.hpp"
+#include "talus/statistics/bootstrap.hpp"
 #include "talus/statistics/order_statistics.hpp"
 
 namespace talus {

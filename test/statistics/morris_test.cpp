@@ -1,10 +1,10 @@
-#include "talus/sensitivity/morris.hpp"
+#include "talus/statistics/morris.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sensitivity/test_functions.hpp"
+#include "statistics/test_functions.hpp"
 
 namespace talus {
 namespace {

@@ -1,4 +1,4 @@
-#include "talus/sensitivity/morris.hpp"
+#include "talus/statistics/morris.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "talus/core/check.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/sensitivity/counted_draws.hpp"
+#include "talus/statistics/counted_draws.hpp"
 
 namespace talus {
 

@@ -1,4 +1,4 @@
-#include "talus/sensitivity/counted_draws.hpp"
+#include "talus/statistics/counted_draws.hpp"
 
 #include "talus/core/random.hpp"
 

@@ -1,10 +1,10 @@
-#include "talus/sensitivity/sobol.hpp"
+#include "talus/statistics/sobol.hpp"
 
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 
 #include "talus/core/check.hpp"
-#include "talus/sensitivity/counted_draws.hpp"
+#include "talus/statistics/counted_draws.hpp"
 
 namespace talus {
 

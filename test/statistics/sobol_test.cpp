@@ -1,10 +1,10 @@
-#include "talus/sensitivity/sobol.hpp"
+#include "talus/statistics/sobol.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "sensitivity/test_functions.hpp"
+#include "statistics/test_functions.hpp"
 
 namespace talus {
 namespace {
