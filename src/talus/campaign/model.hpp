@@ -53,6 +53,19 @@ struct Model {
   double energy_datum = 0;           // elevation of zero potential energy, in the user's coordinates [m]
   RunoutFrame runout_frame;          // from where runout is counted; local
 
+  /// Variants of this model with other materials, laws, capacities, sizes and velocities, for uncertain parameters;
+  /// without a surface, since all have the same. Rock n belongs to the ensemble n modulo their number. None: all rocks
+  /// have the properties of this model.
+  std::vector<Model> ensembles;
+  std::vector<std::string> uncertain;                 // the paths of the parameters that differ between ensembles
+  std::vector<std::vector<double>> drawn_parameters;  // their values, by ensemble
+
+  [[nodiscard]] const Model& of_rock(std::uint64_t rock) const {
+    return ensembles.empty() ? *this : ensembles[rock % ensembles.size()];
+  }
+  /// A copy of everything but the surface, which is the largest part, and the ensembles.
+  [[nodiscard]] Model without_surface() const;
+
   [[nodiscard]] std::uint64_t rocks() const {
     return seeders.empty() ? 0 : seeders.back().first_rock + seeders.back().rocks;
   }

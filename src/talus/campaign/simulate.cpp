@@ -55,7 +55,8 @@ class RockInProgress {
     draws_.emplace(SamplingPlan{model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
     if constexpr (std::is_same_v<Surface, Profile>) {
       if (model.varying) {
-        if (!section_) section_.emplace(model);
+        if (section_of_ != &model) section_.emplace(model);  // the barriers of ensembles differ
+        section_of_ = &model;
         section_->move_for(model, rock);
         start(model, section_->profile(), {section_->barriers(), on_plan}, seeder);
         return;
@@ -73,6 +74,7 @@ class RockInProgress {
 
   std::optional<Draws> draws_;
   std::optional<OwnSection> section_;
+  const Model* section_of_ = nullptr;
   std::optional<RockRun<Surface>> run_;
 };
 
@@ -99,7 +101,8 @@ class RocksInProgress {
         rock.log.keep_rows(order.keep_rows(next_));
         rock.log.keep_pieces(order.keep_pieces);
         rock.log.keep_impacts(order.keep_impacts && order.keep_impacts(next_));
-        rock.begin(model_, surface_, on_plan_, next_++);
+        rock.begin(model_.of_rock(next_), surface_, on_plan_, next_);
+        ++next_;
         is_done_[place] = false;
         advance(order, place);
       } else {
@@ -144,13 +147,14 @@ class RocksInProgress {
 
 }  // namespace
 
-Vec3 start_of(const Model& model, std::uint64_t rock) {
+Vec3 start_of(const Model& whole, std::uint64_t rock) {
+  const Model& model = whole.of_rock(rock);
   const Seeder& seeder = seeder_of(model, rock);
   const Draws draws({model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
   RockRecord record;
   return std::visit(
       [&](const auto& surface) { return release_of(model, surface, draws, seeder, record).motion.position; },
-      model.surface);
+      whole.surface);
 }
 
 /// The rocks in progress, for the model's kind of surface.

@@ -142,6 +142,7 @@ std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& m
   for (const talus::Seeder& seeder : model.seeders) put(out, seeder);
   out.count(model.barriers.size());
   for (const talus::Barrier& barrier : model.barriers) put(out, barrier);
+  for (const std::vector<double>& values : model.drawn_parameters) out.numbers(std::span<const double>(values));
   out.flush();
   return text_of(checksum.digest());
 }

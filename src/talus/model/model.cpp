@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "talus/ground/forest.hpp"
+#include "talus/model/build_ensembles.hpp"
 #include "talus/model/build_ground.hpp"
 #include "talus/model/build_seeders.hpp"
 #include "talus/model/build_terrain.hpp"
@@ -271,6 +272,16 @@ void set_properties(const Project& project, Model& model) {
   for (std::size_t k = 0; k < model.barriers.size(); ++k) model.barriers[k].capacity = capacity_of(project.barriers[k]);
 }
 
-Model build_model(const Project& project, Problems& warnings) { return Builder(project, warnings).build(); }
+Model build_model(const Project& project, Problems& warnings) {
+  Model model = Builder(project, warnings).build();
+  if (!project.sampling.parameters.empty()) {
+    Problems problems;
+    locating_problems(project, "[sampling]", problems, warnings, [&](Problems&, Problems& doubts) {
+      add_ensembles(project, model, doubts);
+      return true;
+    });
+  }
+  return model;
+}
 
 }  // namespace talus::project

@@ -54,6 +54,8 @@ struct Sampling {
   std::uint64_t seed = 1;
   SamplingMethod method = SamplingMethod::monte_carlo;
   MaterialSampling materials = MaterialSampling::per_impact;
+  std::filesystem::path parameters;  // CSV, a sample of uncertain parameters; empty: none
+  std::int64_t ensembles = 50;       // with `parameters`
 };
 
 /// [terrain]: exactly one of section, mesh (a file), triangles (inline, with vertices), raster (a file), a survey

@@ -14,36 +14,16 @@
 #include "talus/rocks/energy.hpp"
 
 namespace talus::study {
-
-namespace {
-
-/// Everything of a model but its surface, which is the largest part.
-Model without_surface(const Model& model) {
-  Model copy;
-  copy.varying = model.varying;
-  copy.frame = model.frame;
-  copy.ground = model.ground;
-  copy.barriers = model.barriers;
-  copy.laws = model.laws;
-  copy.seed = model.seed;
-  copy.sampling = model.sampling;
-  copy.seeders = model.seeders;
-  copy.sources = model.sources;
-  copy.energy_datum = model.energy_datum;
-  return copy;
-}
-
-}  // namespace
-
 /// Simulates one set after the other in one thread.
 class PreparedSite::Worker {
  public:
-  explicit Worker(const PreparedSite& site) : site_(site), model_(without_surface(site.model_)) {}
+  explicit Worker(const PreparedSite& site) : site_(site), model_(site.model_.without_surface()) {}
 
   /// Nullopt if it was stopped.
-  std::optional<SetOutcome> run(std::span<const SettingNumber> parameters, const ParameterSet& set,
-                                const SetRuns& how) {
+  std::optional<SetOutcome> run(std::span<const SettingNumber> parameters, const ParameterSet& set, const SetRuns& how,
+                                std::uint64_t seed) {
     project::set_properties(site_.with(parameters, set), model_);
+    model_.seed = seed;
     Simulator simulator(model_, site_.model_.surface);
     const std::uint64_t rocks = std::min(how.rocks.value_or(model_.rocks()), model_.rocks());
     SetOutcome outcome;
@@ -105,7 +85,7 @@ void PreparedSite::run(std::span<const SettingNumber> parameters, std::span<cons
   tbb::parallel_for(std::size_t{0}, sets.size(), [&](std::size_t k) {
     if (was_stopped.load(std::memory_order_relaxed)) return;
     const StopScope here(scope);
-    if (auto outcome = workers.local().run(parameters, sets[k], how)) {
+    if (auto outcome = workers.local().run(parameters, sets[k], how, how.seeds.empty() ? model_.seed : how.seeds[k])) {
       take(k, std::move(*outcome));
     } else {
       was_stopped = true;
@@ -116,7 +96,8 @@ void PreparedSite::run(std::span<const SettingNumber> parameters, std::span<cons
 
 SetOutcome PreparedSite::run(std::span<const SettingNumber> parameters, const ParameterSet& set,
                              const SetRuns& how) const {
-  if (auto outcome = Worker(*this).run(parameters, set, how)) return std::move(*outcome);
+  if (auto outcome = Worker(*this).run(parameters, set, how, how.seeds.empty() ? model_.seed : how.seeds.front()))
+    return std::move(*outcome);
   throw Stopped{};
 }
 

@@ -67,6 +67,8 @@ struct SetRuns {
   /// The rocks to simulate: 0 to rocks - 1; nullopt: all of the project. Rock numbers beyond the project's are not
   /// simulated.
   std::optional<std::uint64_t> rocks{};
+  /// The seed of each set; empty: the project's, the same for all.
+  std::vector<std::uint64_t> seeds{};
 };
 
 class PreparedSite {

@@ -1,9 +1,14 @@
+#include "talus/project/settings/conditions.hpp"
 #include "talus/project/settings/limits.hpp"
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
 #include "talus/project/settings/topics.hpp"
 
 namespace talus::project::declared {
+
+namespace {
+constexpr double most_ensembles = 10'000;
+}
 
 Table sampling_table() {
   auto [add, rows] = one_row(&Project::sampling);
@@ -25,6 +30,22 @@ Table sampling_table() {
                .slot = member(&Sampling::materials),
                .meaning = "Material properties are drawn at every impact, or once for each rock.",
                .source = "Talus; the manual does not say which its programs do"},
+              {.key = "parameters",
+               .slot = member(&Sampling::parameters),
+               .without_it = "all rocks have the project's values",
+               .meaning =
+                   "CSV file with a sample of uncertain parameters, such as the posterior of a calibration: a row "
+                   "a set, a column `weight`, and a column for each parameter, named by its path "
+                   "(`material.Scree.normal_restitution`). The rocks are divided into ensembles, each with a "
+                   "set drawn by weight.",
+               .source = "Talus"},
+              {.key = "ensembles",
+               .slot = member(&Sampling::ensembles),
+               .range = {.least = 2, .most = most_ensembles, .too_low = "one set shows no uncertainty"},
+               .applies_when = {together_with({given("parameters")}, "is given without parameters")},
+               .meaning = "Ensembles of rocks with different parameters; rock n belongs to ensemble n modulo this "
+                          "number.",
+               .source = "Talus"},
           },
       .topic = topics::sampling,
       .add = add,

@@ -1,4 +1,4 @@
-#include "talus/study/parameter.hpp"
+#include "talus/project/parameter.hpp"
 
 #include <fmt/format.h>
 
@@ -11,14 +11,7 @@
 #include "talus/project/echo.hpp"
 #include "talus/project/setting_paths.hpp"
 
-namespace talus::study {
-
-using project::Project;
-using project::Range;
-using project::Row;
-using project::Setting;
-using project::Slot;
-using project::Table;
+namespace talus::project {
 
 namespace {
 
@@ -63,8 +56,8 @@ Place place_of(const Slot& slot) {
 std::string name_of(const Row& row) {
   return std::visit(
       []<class Struct>(Struct each) -> std::string {
-        if constexpr (std::is_same_v<Struct, project::Material*> || std::is_same_v<Struct, project::Seeder*> ||
-                      std::is_same_v<Struct, project::Barrier*> || std::is_same_v<Struct, project::Area*>)
+        if constexpr (std::is_same_v<Struct, Material*> || std::is_same_v<Struct, Seeder*> ||
+                      std::is_same_v<Struct, Barrier*> || std::is_same_v<Struct, Area*>)
           return each->name;
         return {};
       },
@@ -121,7 +114,7 @@ double Prior::share_below(double wanted) const {
 
 std::string Prior::text() const {
   if (distribution_.kind == DistributionKind::uniform) return fmt::format("{:.4g} to {:.4g}", value(0), value(1));
-  std::string text = fmt::format("{}, mean {:.4g}", project::word(distribution_.kind), distribution_.mean);
+  std::string text = fmt::format("{}, mean {:.4g}", word(distribution_.kind), distribution_.mean);
   if (distribution_.std_dev) text += fmt::format(", std_dev {:.4g}", *distribution_.std_dev);
   return text + fmt::format(", within {:.4g} to {:.4g}", value(0), value(1));
 }
@@ -136,16 +129,16 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
     problems.add(std::move(problem));
     return std::nullopt;
   };
-  const auto parts = project::parts_of(path);
+  const auto parts = parts_of(path);
   const std::string quoted = fmt::format("\"{}\"", path);
   if (!parts || parts->size() < 2) {
     return refuse(quoted + " is not the path of a setting", "expected table.key or table.name.key",
                   "For example material.Scree.normal_restitution");
   }
   const std::string& table_key = parts->front();
-  const auto& tables = project::tables();
-  const auto table = std::ranges::find(tables, table_key, &Table::key);
-  if (table == tables.end() || table->key.empty() ||
+  const auto& all = project::tables();
+  const auto table = std::ranges::find(all, table_key, &Table::key);
+  if (table == all.end() || table->key.empty() ||
       std::ranges::find(tables_of_numbers, table_key) == tables_of_numbers.end()) {
     const auto near =
         nearest(table_key, std::vector<std::string_view>(tables_of_numbers.begin(), tables_of_numbers.end()));
@@ -205,7 +198,7 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
   }
   if (next < parts->size()) {
     const std::string& part = (*parts)[next++];
-    const Setting* of_part = project::distribution_table().find(part);
+    const Setting* of_part = distribution_table().find(part);
     if (part == "std_dev") {
       found.part_ = Part::std_dev;
     } else if (part == "rel_min") {
@@ -225,11 +218,11 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
                     "Give it a distribution there");
     }
   }
-  if (const auto model = project::only_model(*found.setting_); model && *model != project.analysis.model) {
+  if (const auto model = only_model(*found.setting_); model && *model != project.analysis.model) {
     Problem problem = about;
     problem.severity = Severity::warning;
     problem.what = fmt::format("{} has no effect", quoted);
-    problem.why = fmt::format("analysis.model is \"{}\"", project::word(project.analysis.model));
+    problem.why = fmt::format("analysis.model is \"{}\"", word(project.analysis.model));
     problems.add(std::move(problem));
   }
   return found;
@@ -288,7 +281,7 @@ std::vector<std::string> SettingNumber::overrides(const Project& project) const 
   const std::vector<Row> rows = table_->rows(copy);
   std::vector<std::string> overrides;
   for (const std::size_t row : rows_) {
-    const auto value = project::written(setting_->slot(rows[row]), project.is_2d());
+    const auto value = written(setting_->slot(rows[row]), project.is_2d());
     if (!value) continue;
     std::string text;
     if (value->is_object()) {
@@ -304,4 +297,4 @@ std::vector<std::string> SettingNumber::overrides(const Project& project) const 
   return overrides;
 }
 
-}  // namespace talus::study
+}  // namespace talus::project

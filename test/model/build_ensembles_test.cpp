@@ -1,0 +1,150 @@
+// Ensembles of rocks with different parameters: each rock is that of a project with the parameters of its ensemble.
+
+#include "talus/model/build_ensembles.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "support/input_folder.hpp"
+#include "talus/campaign/simulate.hpp"
+#include "talus/model/fingerprint.hpp"
+#include "talus/model/model.hpp"
+#include "talus/project/read.hpp"
+
+namespace talus::project {
+namespace {
+
+const std::string scree = R"(
+[terrain]
+section = [[0, 0], [10, -10], [100, -10]]
+[[material]]
+name = "Scree"
+normal_restitution = { mean = 0.4, distribution = "normal", std_dev = 0.04 }
+tangential_restitution = 0.8
+friction_angle_deg = 30
+[[seeder]]
+type = "point"
+position = [1, 5]
+mass_kg = 100
+rocks = 400
+)";
+
+class BuildEnsembles : public testing_tools::InputFolder {
+ protected:
+  Model built(const std::string& sample, const std::string& settings = "ensembles = 10\n") {
+    write("posterior.csv", sample);
+    write("slope.toml", scree + "[sampling]\nparameters = \"posterior.csv\"\n" + settings);
+    warnings_ = {};
+    const Reading reading = read_project(path("slope.toml"), {});
+    return build_model(reading.project, warnings_);
+  }
+  std::string refusal(const std::string& sample) {
+    return refusal_of([&] { static_cast<void>(built(sample)); });
+  }
+  Problems warnings_;
+};
+
+const std::string two_sets =
+    "weight,score,material.Scree.normal_restitution,material.Scree.friction_angle_deg\n3,-1.5,0.2,35\n1,-2,0.6,20\n";
+
+TEST_F(BuildEnsembles, DrawsSetsByTheirWeights) {
+  const Model model = built(two_sets, "ensembles = 100\n");
+  ASSERT_EQ(model.drawn_parameters.size(), 100u);
+  std::map<double, int> drawn;
+  for (const auto& set : model.drawn_parameters) ++drawn[set[0]];
+  EXPECT_EQ(drawn[0.2], 75);
+  EXPECT_EQ(drawn[0.6], 25);
+  EXPECT_EQ(model.uncertain,
+            (std::vector<std::string>{"material.Scree.normal_restitution", "material.Scree.friction_angle_deg"}));
+  EXPECT_EQ(built("material.Scree.normal_restitution,weight\n0.1,0\n0.5,2\n").drawn_parameters.front()[0], 0.5);
+}
+
+TEST_F(BuildEnsembles, GiveEachRockTheParametersOfItsEnsemble) {
+  const Model model = built(two_sets);
+  Simulator simulator(model);
+  for (const auto& [restitution, angle] : {std::pair{"0.2", "35"}, {"0.6", "20"}}) {
+    const Reading alone =
+        read_project_text(scree, "slope.toml",
+                          {.settings = {std::string("material.0.normal_restitution.mean=") + restitution,
+                                        std::string("material.0.friction_angle_deg=") + angle}});
+    Problems none;
+    const Model known = build_model(alone.project, none);
+    Simulator with_known(known);
+    int rocks = 0;
+    for (std::uint64_t rock = 0; rock < 400; ++rock) {
+      if (model.drawn_parameters[rock % 10][0] != std::stod(restitution)) continue;
+      const RockRecord one = simulator.simulate(rock, false), other = with_known.simulate(rock, false);
+      EXPECT_EQ(one.outcome.end.position, other.outcome.end.position);
+      EXPECT_EQ(one.outcome.max_kinetic_energy, other.outcome.max_kinetic_energy);
+      ++rocks;
+    }
+    EXPECT_GT(rocks, 50);
+  }
+}
+
+// In lanes, several rocks of different ensembles are in progress together.
+TEST_F(BuildEnsembles, AreTheSameRockByRockAndTogether) {
+  const Model model = built(two_sets);
+  Simulator together(model), single(model);
+  std::vector<Vec3> ends;
+  SimulationOrder order;
+  order.rocks = {0, 400};
+  order.keep_rows = [](std::uint64_t) { return false; };
+  order.see = [&](const RockRecord& record, const RockLog&) { ends.push_back(record.outcome.end.position); };
+  EXPECT_EQ(together.simulate(order), 400u);
+  for (std::uint64_t rock = 0; rock < 400; rock += 7)
+    EXPECT_EQ(single.simulate(rock, false).outcome.end.position, ends[rock]) << rock;
+}
+
+TEST_F(BuildEnsembles, AreOnesOfTheFingerprint) {
+  const nlohmann::ordered_json same = "project";
+  const std::string once = fingerprint_of(same, built(two_sets));
+  EXPECT_EQ(fingerprint_of(same, built(two_sets)), once);
+  EXPECT_NE(fingerprint_of(same, built("material.Scree.normal_restitution\n0.3\n0.4\n")), once);
+}
+
+TEST_F(BuildEnsembles, WarnOfWhatTheyCannotShow) {
+  static_cast<void>(built(two_sets, "ensembles = 100\n"));
+  EXPECT_EQ(
+      without_folder(warnings_.text()),
+      "slope.toml: warning: [sampling]: an ensemble has 4 of 400 rocks (the parts of rocks and parameters cannot be "
+      "told apart). Run more rocks, or fewer ensembles");
+  static_cast<void>(built("material.Scree.normal_restitution\n0.3\n"));
+  EXPECT_EQ(without_folder(warnings_.text()),
+            "slope.toml: warning: [sampling]: all ensembles have the same parameters (one row has all of the weight)");
+}
+
+TEST_F(BuildEnsembles, RefuseABadSample) {
+  const std::string at = "slope.toml:15: [sampling]: parameters posterior.csv";
+  EXPECT_EQ(refusal("weight,material.Screes.normal_restitution\n1,0.3\n"),
+            at + ":1: material.Screes.normal_restitution: \"material.Screes.normal_restitution\" names no [[material]] "
+                 "(the project has \"Scree\"). Use a name, a number from 0, or * for all");
+  EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n1,0.3\n-2,0.3\n1,1.3\n"),
+            at + ":3: weight: is -2 (a weight is not negative)\n" + at +
+                ":4: material.Scree.normal_restitution: material.Scree.normal_restitution is 1.3; expected 0 to 1");
+  EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n"),
+            at + ": has no rows (each row is a set of parameters)");
+  EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n0,0.3\n"),
+            at + ": weight: is 0 in all rows (sets are drawn by weight)");
+  EXPECT_EQ(refusal("weight,score\n1,2\n"),
+            at + ":1: has no column of a parameter (a column is named by the path of its setting). For example "
+                 "material.Scree.normal_restitution");
+  EXPECT_EQ(
+      refusal("analysis.max_time_s\n100\n"),
+      at + ":1: analysis.max_time_s: cannot differ between rocks (all rocks of a run share it). Leave the column out");
+  EXPECT_EQ(refusal("material.Scree.normal_restitution\nhigh\n"),
+            at + ":2: material.Scree.normal_restitution: \"high\" is not a number");
+}
+
+TEST_F(BuildEnsembles, RefuseAMissingFile) {
+  write("slope.toml", scree + "[sampling]\nparameters = \"none.csv\"\n");
+  const Reading reading = read_project(path("slope.toml"), {});
+  EXPECT_THAT(refusal_of([&] { static_cast<void>(build_model(reading.project, warnings_)); }),
+              ::testing::HasSubstr("there is no file"));
+}
+
+}  // namespace
+}  // namespace talus::project
