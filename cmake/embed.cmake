@@ -7,6 +7,8 @@
 # In this order on the page: each may use the ones before it.
 set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain inputs slope mapframe plan maps
   envelopes energy distributions observed impacts barriers design convergence uncertainty paper page)
+# The same for the page of a sensitivity study.
+set(TALUS_SENSITIVITY_SCRIPTS format study figure tables paper sensitivity)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   # Sets `out` to a script that declares when each setting has an effect: x-applies-when of the generated schema, by table
@@ -61,6 +63,8 @@ if(CMAKE_SCRIPT_MODE_FILE)
     set(code "${code};\n" PARENT_SCOPE)
   endfunction()
   list(TRANSFORM TALUS_REPORT_SCRIPTS REPLACE "(.+)" "${FOLDER}/\\1.js")
+  list(TRANSFORM TALUS_SENSITIVITY_SCRIPTS REPLACE "(.+)" "${FOLDER}/\\1.js")
+  embed(sensitivity_script ${TALUS_SENSITIVITY_SCRIPTS})
   embed(page "${FOLDER}/page.html")
   embed(style "${FIGURES}/figures.css" "${FOLDER}/style.css")
   setting_conditions(conditions)
@@ -115,7 +119,8 @@ function(talus_embed_report target)
   set(schema ${CMAKE_SOURCE_DIR}/web/src/generated/schema.ts)
   set(bundle ${CMAKE_BINARY_DIR}/generated/figures.js)
   set(output ${CMAKE_BINARY_DIR}/generated/report_assets.cpp)
-  set(parts ${TALUS_REPORT_SCRIPTS})
+  set(parts ${TALUS_REPORT_SCRIPTS} ${TALUS_SENSITIVITY_SCRIPTS})
+  list(REMOVE_DUPLICATES parts)
   list(TRANSFORM parts REPLACE "(.+)" "${folder}/\\1.js")
   talus_bundle_figures(${bundle})
   add_custom_command(

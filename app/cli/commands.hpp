@@ -73,6 +73,14 @@ struct ReportOptions {
 };
 int report(const ReportOptions& options);
 
+struct SensitivityOptions {
+  std::filesystem::path study;
+  std::filesystem::path folder;  // empty: named after the study, next to its file
+  int threads = 0;
+  bool quiet = false;
+};
+int sensitivity(const SensitivityOptions& options);
+
 struct VerifyOptions {
   std::vector<std::string> cases;  // empty: all
   std::filesystem::path json;      // empty: none

@@ -172,6 +172,23 @@ int dispatch(int argc, char** argv) {
       ->check(names_file)
       ->type_name("FILE");
 
+  SensitivityOptions sensitivity_options;
+  CLI::App* sensitivity_command =
+      app.add_subcommand("sensitivity", "Find which inputs of a project its results depend on");
+  sensitivity_command->add_option("study", sensitivity_options.study, "The study file (TOML)")
+      ->required()
+      ->check(names_file)
+      ->type_name("STUDY.toml");
+  sensitivity_command
+      ->add_option("-o,--output", sensitivity_options.folder,
+                   "Folder for the results (default: named after the study, next to its file)")
+      ->check(names_folder)
+      ->type_name("DIR");
+  sensitivity_command->add_option("--threads", sensitivity_options.threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  sensitivity_command->add_flag("--quiet,-q", sensitivity_options.quiet, "Print only warnings and errors");
+
   VerifyOptions verify_options;
   CLI::App* verify_command =
       app.add_subcommand("verify", "Run the published verification cases and compare every number");
@@ -222,6 +239,7 @@ int dispatch(int argc, char** argv) {
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);
   if (*report_command) return report(report_options);
+  if (*sensitivity_command) return sensitivity(sensitivity_options);
   if (*verify_command) return verify(verify_options);
   if (*materials_command) return materials();
   if (*schema_command) return schema();

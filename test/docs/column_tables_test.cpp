@@ -19,6 +19,7 @@
 #include "talus/export/geopackage_rows.hpp"
 #include "talus/maps/source_maps.hpp"
 #include "talus/model/release_columns.hpp"
+#include "talus/sensitivity/output.hpp"
 
 namespace talus {
 namespace {
@@ -42,13 +43,19 @@ void expect_fresh(const std::string& name, const std::string& made) {
 using Tables = std::map<std::string, std::vector<ColumnText>>;
 
 const Tables& tables() {
-  static const Tables tables{
-      {"endpoints.csv", column_texts<EndpointRow>()}, {"paths.csv", column_texts<PathEventRow>()},
-      {"barriers.csv", column_texts<HitRow>()},       {"envelopes.csv", column_texts<EnvelopeRow>()},
-      {"design.csv", column_texts<DesignRow>()},      {"design_ranking.csv", column_texts<RankingRow>()},
-      {"sources.csv", column_texts<SourceRow>()},     {"releases", project::release_column_texts()},
-      {"layer paths", column_texts<RockLayerRow>()},  {"layer barriers", column_texts<BarrierLayerRow>()},
-      {"impacts.csv", column_texts<ImpactRow>()},     {"layer design", column_texts<DesignLayerRow>()}};
+  static const Tables tables{{"endpoints.csv", column_texts<EndpointRow>()},
+                             {"paths.csv", column_texts<PathEventRow>()},
+                             {"barriers.csv", column_texts<HitRow>()},
+                             {"envelopes.csv", column_texts<EnvelopeRow>()},
+                             {"design.csv", column_texts<DesignRow>()},
+                             {"design_ranking.csv", column_texts<RankingRow>()},
+                             {"sensitivity.csv", column_texts<sensitivity::EffectRow>()},
+                             {"sources.csv", column_texts<SourceRow>()},
+                             {"releases", project::release_column_texts()},
+                             {"layer paths", column_texts<RockLayerRow>()},
+                             {"layer barriers", column_texts<BarrierLayerRow>()},
+                             {"impacts.csv", column_texts<ImpactRow>()},
+                             {"layer design", column_texts<DesignLayerRow>()}};
   return tables;
 }
 
@@ -75,7 +82,7 @@ std::string with_tables(const std::string& page, std::set<std::string>& seen) {
 
 TEST(ColumnTables, PageIsNotStale) {
   std::set<std::string> seen;
-  for (const char* name : {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md"})
+  for (const char* name : {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md", "/docs/sensitivity.md"})
     expect_fresh(name, with_tables(text_of(std::string(TALUS_SOURCE_DIR) + name), seen));
   EXPECT_EQ(seen.size(), tables().size()) << "every table has its columns in the documentation";
 }

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <vector>
+
+#include "answer.hpp"
+#include "commands.hpp"
+#include "load.hpp"
+#include "progress.hpp"
+#include "standard_streams.hpp"
+#include "stop_signals.hpp"
+#include "talus/campaign/thread_supply.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/files/folder_lock.hpp"
+#include "talus/sensitivity/analysis.hpp"
+#include "talus/sensitivity/output.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+void print_effects(const sensitivity::Study& study, const sensitivity::Analysis& analysis) {
+  const bool is_morris = study.method == sensitivity::Method::morris;
+  for (const sensitivity::ResultEffects& result : analysis.results) {
+    const std::string unit = result.unit.empty() ? "" : fmt::format(" [{}]", result.unit);
+    fmt::print("{}{}\n", result.name, unit);
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < result.of_inputs.size(); ++k) {
+      if (result.of_inputs[k].size()) order.push_back(k);
+    }
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](std::size_t k) { return result.of_inputs[k].size()->value; });
+    for (const std::size_t k : order) {
+      const Estimate size = *result.of_inputs[k].size();
+      fmt::print("  {:<44} {} {:.3g} ({:.3g} to {:.3g})", analysis.inputs[k].name, is_morris ? "effect" : "total",
+                 size.value, size.low.value_or(size.value), size.high.value_or(size.value));
+      if (!is_morris) fmt::print(", alone {:.3g}", result.of_inputs[k].index->first.value);
+      fmt::print("\n");
+    }
+  }
+}
+
+int analyse(const SensitivityOptions& options) {
+  using Clock = std::chrono::steady_clock;
+  take_threads(options.threads);
+  const sensitivity::Study study = sensitivity::read_study(options.study);
+  const sensitivity::PreparedStudy prepared(study);
+  print_warnings(prepared.warnings());
+  const std::filesystem::path folder =
+      options.folder.empty() ? options.study.parent_path() / study.name : options.folder;
+  const FolderLock lock = lock_output_folder(folder);
+  catch_stop_signals();
+  const StopScope scope(&stop_wanted());
+  std::optional<Progress> progress;
+  sensitivity::AnalysisOptions how{.threads = options.threads, .progress = {}};
+  const auto rocks = static_cast<std::uint64_t>(study.rocks);
+  if (!options.quiet) {
+    fmt::print("{}: {} runs of {} rocks\n", study.name, study.runs(), rocks);
+    flush_output();
+    progress.emplace(study.runs() * rocks);
+    how.progress = [&](std::uint64_t done) { (*progress)(done * rocks); };
+  }
+  const auto begin = Clock::now();
+  const sensitivity::Analysis analysis = prepared.run(how);
+  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  progress.reset();
+  sensitivity::write_results(folder, study, analysis, seconds);
+  print_warnings(analysis.warnings);
+  if (!options.quiet) {
+    print_effects(study, analysis);
+    fmt::print("Results are in {}; open report.html to view them\n", folder.string());
+  }
+  return done;
+}
+
+}  // namespace
+
+int sensitivity(const SensitivityOptions& options) {
+  try {
+    return analyse(options);
+  } catch (const Stopped&) {
+    to_stderr("stopped before all runs were finished; nothing was written\n");
+    return stopped;
+  }
+}
+
+}  // namespace talus::cli

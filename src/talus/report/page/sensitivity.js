@@ -1,0 +1,80 @@
+// The page of a sensitivity study: for each result, which input causes how much of it.
+
+const isMorris = page.method === 'morris';
+const noise = page.inputs.length - 1;  // the seed, the last input
+const sizeOf = (effect) => (isMorris ? effect.effect : effect.total) || null;
+const shownIn = (result) => result.unit === 'J' ? {unit: 'kJ', per: 1000} : {unit: result.unit, per: 1};
+const nameOf = (input) => input === page.inputs[noise] ? 'which rocks are drawn (seed)' : input.name;
+
+// Inputs by the size of their effect, the largest first.
+const ranked = (result) => result.inputs.map((effect, k) => ({effect, k, input: page.inputs[k], size: sizeOf(effect)}))
+  .filter(({size}) => size).sort((a, b) => b.size[0] - a.size[0]);
+
+function tornadoFigure(parent, result) {
+  const rows = ranked(result);
+  const {unit, per} = isMorris ? shownIn(result) : {unit: '', per: 1};
+  const bars = rows.map(({effect, k, input, size}) => ({
+    name: nameOf(input), quiet: k === noise, value: size[0] / per, low: isNumber(size[1]) ? size[1] / per : null, high: isNumber(size[2]) ? size[2] / per : null,
+    inner: isMorris ? null : effect.first[0], mark: isMorris ? effect.mean_effect / per : null,
+  }));
+  figure(parent, {
+    title: result.name, width: drawing.wide, tall: 74 + 30 * bars.length,
+    label: `Effects of ${bars.length} inputs on ${result.name}`,
+    caption: isMorris ? 'Bars: mean magnitude of the change of the result over the whole range of an input (μ*), with its confidence interval. Diamonds: mean with sign (μ); to the left, more of the input gives less of the result. Grey: the noise of a finite number of rocks.'
+      : 'Bars: share of the variance that the input causes alone (first-order index, filled) and with others (total index, outline), with the confidence interval of the total. Grey: the noise of a finite number of rocks.',
+    fill: (node, room) => figures.tornado(node, room, {title: isMorris ? 'Effect' : 'Share of the variance', unit, per: 1, bars}),
+    rows: () => [['input', 'size', 'low', 'high', isMorris ? 'mean_effect' : 'first'], ...rows.map(({effect, input, size}) => [input.name, ...size, isMorris ? effect.mean_effect : effect.first[0]])],
+  });
+}
+
+function effectsTable(parent, result) {
+  const {unit, per} = isMorris ? shownIn(result) : {unit: '', per: 1};
+  const cell = ([value, low, high]) => ({text: measured(value / per, 3), below: isNumber(low) && isNumber(high) ? `${measured(low / per, 3)} to ${measured(high / per, 3)}` : undefined});
+  table(parent, {
+    caption: `Effects on ${result.name}; below each the ${number(100 * page.confidence)} % confidence interval`,
+    head: [['Input', 'Values', ...(isMorris ? [{text: 'Effect μ*', unit}, {text: 'Mean μ', unit}, {text: 'Spread σ', unit}] : ['Total index', 'First-order index'])]],
+    rows: ranked(result).map(({effect, input}) => [nameOf(input), `${input.values}${input.unit ? ` ${input.unit}` : ''}`,
+      ...(isMorris ? [cell(effect.effect), measured(effect.mean_effect / per, 3), measured(effect.spread / per, 3)] : [cell(effect.total), cell(effect.first)])]),
+    numeric: (column) => column > 1,
+  });
+}
+
+function resultText(result) {
+  const {unit, per} = shownIn(result), text = (value) => isNumber(value) ? measured(value / per, 4) : '–';
+  if (!result.runs) return 'No run has a value.';
+  return `Over ${count(result.runs, 'run')}: mean ${text(result.mean)}, from ${text(result.least)} to ${text(result.most)}${unit ? ` ${unit}` : ''}.`;
+}
+
+{
+  const head = d3.select('#head');
+  element(head, 'p', 'Sensitivity of a rockfall analysis', {class: 'kind'});
+  element(head, 'h1', page.name);
+  const facts = element(head, 'p', null, {class: 'facts'});
+  const method = isMorris ? 'Morris screening' : 'Sobol indices';
+  [['Project ', page.project], ['Method ', method], ['Runs ', number(page.runs)], ['Rocks each ', number(page.rocks)], ['Seed ', String(page.seed)], ['Talus ', page.talus.version]]
+    .forEach(([label, value], i) => {
+      facts.append('span').text((i ? '  ·  ' : '') + label);
+      element(facts, 'b', value);
+    });
+  const main = d3.select('#main');
+  if (page.warnings.length) {
+    const box = element(main, 'section', null, {class: 'warnings', 'aria-label': 'Warnings'});
+    element(box, 'h2', 'Warnings');
+    const list = element(box, 'ul');
+    for (const warning of page.warnings) element(list, 'li', warning);
+  }
+  page.results.forEach((result, k) => {
+    const node = element(main, 'section', null, {id: `result-${k}`, 'aria-label': result.name});
+    element(node, 'h2', result.name.charAt(0).toUpperCase() + result.name.slice(1));
+    element(node, 'p', resultText(result));
+    if (ranked(result).length) {
+      tornadoFigure(node, result);
+      effectsTable(node, result);
+    }
+    element(d3.select('#contents'), 'a', result.name, {href: `#result-${k}`});
+  });
+  element(main, 'p', isMorris ? 'A spread σ as large as μ* shows an effect that depends on the input itself or on other inputs. The order of effects counts, not their digits.'
+    : 'The first-order index is the share of the variance that would vanish if the input were known; the total index is the share that would remain if all others were. Their difference is the part of interactions. First-order indices that add up to 1 mean that inputs act one by one.', {class: 'quiet'});
+  fitTablesToPaper();
+  element(d3.select('#foot'), 'p', `Generated by Talus ${page.talus.version} in ${number(page.timings.seconds, 3)} s. This page needs no network. Drawn with D3 (d3js.org), copyright Mike Bostock.`);
+}

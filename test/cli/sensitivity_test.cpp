@@ -1,0 +1,61 @@
+// `talus sensitivity`: its files, and what it says.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+
+namespace talus::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string study_text = R"(
+project = "PROJECT"
+method = "morris"
+trajectories = 5
+rocks = 20
+[[parameter]]
+path = "material.*.friction_angle_deg"
+range = [20, 40]
+[[parameter]]
+path = "analysis.normal_velocity_cutoff_m_s"
+range = [0.05, 0.2]
+[[result]]
+name = "runout"
+quantity = "runout"
+)";
+
+std::string study_of_tutorial() {
+  std::string text = study_text;
+  return text.replace(text.find("PROJECT"), 7, tutorial("2d"));
+}
+
+TEST(SensitivityCommand, WritesTheSameFilesOnAnyNumberOfThreads) {
+  const Workplace place;
+  const std::string study = place.write("slope.toml", study_of_tutorial());
+  const Said said = talus_says("sensitivity " + study + " --threads 1");
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_THAT(said.text, HasSubstr("slope: 20 runs of 20 rocks"));
+  EXPECT_THAT(said.text, HasSubstr("material.*.friction_angle_deg"));
+  EXPECT_EQ(talus_says("sensitivity " + study + " --threads 2 --quiet -o " + (place / "again").string()).exit_code, 0);
+  for (const char* file : {"sensitivity.csv", "runs.csv"}) {
+    EXPECT_EQ(place.read(std::string("slope/") + file), place.read(std::string("again/") + file)) << file;
+  }
+  EXPECT_THAT(place.read("slope/sensitivity.csv"), HasSubstr("\nrunout,m,material.*.friction_angle_deg,20 to 40,"));
+  EXPECT_THAT(place.read("slope/runs.csv"),
+              HasSubstr("run,material.*.friction_angle_deg,analysis.normal_velocity_cutoff_m_s,(seed),runout\n0,"));
+  EXPECT_THAT(place.read("slope/summary.json"), HasSubstr("\"method\": \"morris\""));
+  EXPECT_THAT(place.read("slope/report.html"), HasSubstr("figures.tornado"));
+}
+
+TEST(SensitivityCommand, RefusesABadStudy) {
+  const Workplace place;
+  const Said said = talus_says("sensitivity " + place.write("slope.toml", "method = \"guess\"\n"));
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_THAT(said.text, HasSubstr("slope.toml:1: method is \"guess\" (expected morris, sobol)"));
+  EXPECT_THAT(said.text, HasSubstr("project is missing"));
+}
+
+}  // namespace
+}  // namespace talus::test
