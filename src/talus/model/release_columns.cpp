@@ -134,7 +134,7 @@ class Finder {
     if (exact != names_.end()) return static_cast<std::size_t>(exact - names_.begin());
     if (const auto at = place_of(plain_column_name(name))) return at;
     problems_.add(0, fmt::format("has no column \"{}\"", name),
-                  fmt::format("{} names it; it has {}", key, listed({names_.begin(), names_.end()})),
+                  fmt::format("{} names it; it has {}", key, talus::listed({names_.begin(), names_.end()})),
                   meant(name, {names_.begin(), names_.end()}));
     return std::nullopt;
   }
@@ -193,7 +193,7 @@ class Finder {
         return name.starts_with("lat") || name.starts_with("lon") || name == "lng";
       });
       problems_.add(0, fmt::format("has no column {}", facts_of(column).name()),
-                    fmt::format("it has {}", listed({names_.begin(), names_.end()})),
+                    fmt::format("it has {}", talus::listed({names_.begin(), names_.end()})),
                     in_degrees ? "Degrees are read from points of a GeoPackage, Shapefile or GeoJSON"
                                : "Name the columns in the first line: x_m, y_m and z_m");
       return;
