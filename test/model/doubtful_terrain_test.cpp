@@ -30,7 +30,7 @@ Project project_with(const char* raster, const char* mesh) {
   Project project;
   project.file = "slope.toml";
   project.terrain.raster = raster;
-  project.terrain.mesh = mesh;
+  if (*mesh != 0) project.terrain.meshes = {mesh};
   return project;
 }
 
@@ -79,8 +79,24 @@ TEST(DoubtfulMesh, LiesOnItsSide) {
   EXPECT_EQ(warning_of(roof(2)), "");
   EXPECT_EQ(warning_of(roof(1)),
             "slope.toml: warning: [terrain]: \"slope.obj\" seems to lie on its side (as a whole it is 90 degrees steep "
-            "and faces along y). z points up: if y does in this file, swap y and z");
-  EXPECT_NE(warning_of(roof(0)).find("swap x and z"), std::string::npos);
+            "and faces along y; z points up). If y points up in the file, write up = \"y\" in [terrain]");
+  EXPECT_NE(warning_of(roof(0)).find("If x points up in the file, turn it so that z does"), std::string::npos);
+}
+
+TEST(DoubtfulMesh, OverhangsOnMuchOfItsArea) {
+  Problems warnings;
+  CleanMesh flat = clean(roof(2), {.source = "slope.obj"});
+  warn_of_overhangs(flat, project_with("", "slope.obj"), warnings);
+  EXPECT_EQ(warnings.text(), "");
+  // Half of its facets are turned over.
+  CleanMesh folded = flat;
+  std::swap(folded.triangles[0][0], folded.triangles[0][1]);
+  std::swap(folded.triangles[1][0], folded.triangles[1][1]);
+  warn_of_overhangs(folded, project_with("", "slope.obj"), warnings);
+  EXPECT_EQ(
+      warnings.text(),
+      "slope.toml: warning: [terrain]: \"slope.obj\" overhangs on much of its area (50 % of the area of its facets "
+      "faces downwards; z points up). If y points up in the file, write up = \"y\" in [terrain]");
 }
 
 constexpr const char* plane = R"(

@@ -138,11 +138,12 @@ diameter_m = 1)"}},
      {{"normal_restitution = 0.4",
        R"(normal_restitution = { mean = 0.4, distribution = "gaussian", std_dev = 0.03 })"}},
      "slope.toml:11: material \"Rock\": normal_restitution distribution is \"gaussian\" (expected \"none\", "
-     "\"normal\", \"uniform\", \"triangular\", \"beta\", \"exponential\", \"lognormal\" or \"gamma\")"},
+     "\"normal\", \"uniform\", \"triangular\", \"beta\", \"exponential\", \"lognormal\", \"gamma\" or \"empirical\")"},
     {"MisspeltDistribution",
      {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "nromal", std_dev = 0.03 })"}},
      "slope.toml:11: material \"Rock\": normal_restitution distribution is \"nromal\" (expected \"none\", \"normal\", "
-     "\"uniform\", \"triangular\", \"beta\", \"exponential\", \"lognormal\" or \"gamma\"). Did you mean \"normal\"?"},
+     "\"uniform\", \"triangular\", \"beta\", \"exponential\", \"lognormal\", \"gamma\" or \"empirical\"). Did you mean "
+     "\"normal\"?"},
     {"UnknownKeyOfADistribution",
      {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 0.4, distribution = "normal", stddev = 0.03 })"}},
      "slope.toml:11: material \"Rock\": unknown key \"stddev\" of normal_restitution. Did you mean \"std_dev\"?"},

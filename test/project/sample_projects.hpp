@@ -64,7 +64,7 @@ mass_kg = { mean = 500, distribution = "exponential" }
 density_kg_m3 = { mean = 2600, distribution = "beta", std_dev = 20, rel_min = 100, rel_max = 100 }
 horizontal_velocity_m_s = { mean = 1.5, distribution = "normal", std_dev = 0.2 }
 vertical_velocity_m_s = { mean = -1, distribution = "none" }
-rotational_velocity_deg_s = { mean = 30, distribution = "none" }
+rotational_velocity_deg_s = { distribution = "empirical", file = "spins.csv", column = "w", weight_column = "n" }
 direction = [-1, 0]
 [[barrier]]
 name = "Fence"
@@ -235,6 +235,7 @@ mass_kg = 10
 inline constexpr const char* from_gis = R"(
 [terrain]
 mesh = "bowl.obj"
+up = "y"
 [[material]]
 name = "Rock"
 like = "bedrock_outcrops"

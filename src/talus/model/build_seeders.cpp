@@ -288,14 +288,6 @@ void SeederBuilder::set_size_and_speed(const Seeder& s, talus::Seeder& seeder) {
   seeder.spin = sampler_of("rotational_velocity_deg_s", s.rotational_velocity_deg_s, radians);
 }
 
-/// The row as the reader names it: by name, or by number if it has none.
-std::string row_of(const Project& project, std::size_t i) {
-  std::string by_name = fmt::format("seeder \"{}\"", project.seeders[i].name);
-  const bool is_named = std::any_of(project.named_files.begin(), project.named_files.end(),
-                                    [&](const NamedFile& file) { return file.where == by_name; });
-  return is_named ? by_name : fmt::format("seeder {}", i + 1);
-}
-
 }  // namespace
 
 void set_sizes_and_velocities(const Seeder& given, talus::Seeder& seeder) {
@@ -305,7 +297,7 @@ void set_sizes_and_velocities(const Seeder& given, talus::Seeder& seeder) {
 void add_seeders(const Project& project, Model& model, Problems& problems, Problems& warnings) {
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
     const Seeder& seeder = project.seeders[i];
-    locating_problems(project, row_of(project, i), problems, warnings,
+    locating_problems(project, name_in_problems(project, "seeder", seeder.name, i), problems, warnings,
                       [&](Problems& own_problems, Problems& own_warnings) {
                         SeederBuilder(project, model, own_problems, own_warnings).add(seeder);
                         return true;

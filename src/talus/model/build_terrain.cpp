@@ -1,9 +1,11 @@
 #include "talus/model/build_terrain.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "talus/import/mesh_file.hpp"
 #include "talus/import/raster_file.hpp"
@@ -63,11 +65,56 @@ void refuse_degrees(const RawMesh& mesh, const Project& project) {
   const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 && box.high.y() <= 90;
   if (!may_be_degrees || size.head(2).maxCoeff() > widest || size.z() < steepest * size.head(2).maxCoeff()) return;
   throw BadInput(
-      Problem{.file = project.terrain.mesh.string(),
+      Problem{.file = project.terrain.meshes.front().string(),
               .what = "seems to be in degrees",
               .why = fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g} and is {:.4g} m high",
                                  box.low.x(), box.high.x(), box.low.y(), box.high.y(), size.z()),
               .hint = "Project it to metres; or, if it is in metres, set crs = \"local\""});
+}
+
+/// With y upwards: a quarter turn about x, which keeps left and right.
+void turn_up(RawMesh& mesh) {
+  for (Vec3& v : mesh.vertices) v = Vec3(v.x(), -v.z(), v.y());
+}
+
+/// The triangles of all files, in their order.
+SurveyedMesh meshes_of_files(const Project& project, Problems& warnings) {
+  const Terrain& terrain = project.terrain;
+  SurveyedMesh out;
+  RawMesh& all = out.mesh;
+  Problems problems;
+  for (const std::filesystem::path& file : terrain.meshes) {
+    try {
+      RawMesh mesh = read_mesh_file(project.file.parent_path() / file, warnings);
+      const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
+      constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
+      if (vertices + mesh.vertices.size() > most || triangles + mesh.triangles.size() > most)
+        throw BadInput(Problem{.file = file.string(), .what = "is too large", .why = "together with those before it"});
+      if (terrain.meshes.size() == 1) {
+        all = std::move(mesh);
+        break;
+      }
+      // An index that does not exist stays one: it must not become a vertex of the next file.
+      for (auto& corners : mesh.triangles) {
+        for (std::uint32_t& corner : corners)
+          corner = corner < mesh.vertices.size() ? corner + static_cast<std::uint32_t>(vertices)
+                                                 : std::numeric_limits<std::uint32_t>::max();
+      }
+      out.report += fmt::format("{}{}: triangles {} to {}", out.report.empty() ? "" : "\n", file.string(), triangles,
+                                triangles + mesh.triangles.size() - 1);
+      all.vertices.insert(all.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+      all.triangles.insert(all.triangles.end(), mesh.triangles.begin(), mesh.triangles.end());
+    } catch (const BadInput& bad) {
+      problems.append(bad.problems());
+    }
+  }
+  if (problems.has_errors()) throw BadInput(problems);
+  if (terrain.up == UpAxis::y) turn_up(all);
+  if (terrain.crs.empty()) refuse_degrees(all, project);
+  warn_of_steep_mesh(all, project, warnings);
+  out.source = fmt::format("{}", fmt::join(names_of_meshes(project), ", "));
+  out.crs_wkt = crs_wkt_of(project, warnings);
+  return out;
 }
 
 SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
@@ -79,10 +126,8 @@ SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
     out = polygon_mesh(project, warnings);
   } else if (!terrain.section.empty()) {
     mesh = extruded(section_vertices(terrain), *terrain.width_m);
-  } else if (!terrain.mesh.empty()) {
-    mesh = read_mesh_file(project.file.parent_path() / terrain.mesh, warnings);
-    if (terrain.crs.empty()) refuse_degrees(mesh, project);
-    warn_of_steep_mesh(mesh, project, warnings);
+  } else if (!terrain.meshes.empty()) {
+    out = meshes_of_files(project, warnings);
   } else {
     for (const auto& [x, y, z] : terrain.vertices) mesh.vertices.emplace_back(x, y, z);
     for (const auto& [a, b, c] : terrain.triangles) {
@@ -93,7 +138,7 @@ SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
   const auto& about = terrain.rotate_about;
   turn(mesh, terrain.rotate_deg, {about[0], about[1], about[2]});
   if (out.source.empty()) {
-    out.source = terrain.mesh.empty() ? project.file.string() : terrain.mesh.string();
+    out.source = project.file.string();
     out.crs_wkt = crs_wkt_of(project, warnings);
   }
   return out;
@@ -102,13 +147,15 @@ SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
 BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
   SurveyedMesh raw = raw_mesh(project, warnings);
   const bool is_extruded = !project.terrain.section.empty();
-  const bool is_merged = !project.terrain.polylines.empty() || !project.terrain.polygons.empty();
+  const bool is_merged =
+      !project.terrain.polylines.empty() || !project.terrain.polygons.empty() || project.terrain.meshes.size() > 1;
   BuiltTerrain built;
   built.parts = is_extruded ? raw.mesh.triangles.size() / 2 : raw.mesh.triangles.size();
   built.crs_wkt = std::move(raw.crs_wkt);
   const CleanMesh mesh =
       clean(std::move(raw.mesh),
             {.source = raw.source, .weld_tolerance_m = is_merged ? project.terrain.merge_tolerance_m : 0});
+  if (!project.terrain.meshes.empty()) warn_of_overhangs(mesh, project, warnings);
   built.report = raw.report + (raw.report.empty() ? "" : "\n") + mesh.report.text();
   for (const std::uint32_t original : mesh.original)
     built.part_of_facet.push_back(is_extruded ? original / 2 : original);

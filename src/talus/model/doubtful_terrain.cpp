@@ -16,17 +16,36 @@ constexpr double steepest_deg = 75;
 
 double degrees(double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; }
 
-void warn(const Project& project, const std::filesystem::path& file, std::string what, std::string why,
-          std::string hint, Problems& warnings) {
+void warn(const Project& project, const std::string& files, std::string what, std::string why, std::string hint,
+          Problems& warnings) {
   warnings.add({.severity = Severity::warning,
                 .file = project.file.string(),
                 .where = "[terrain]",
-                .what = fmt::format("\"{}\" {}", file.string(), what),
+                .what = fmt::format("{} {}", files, what),
                 .why = std::move(why),
                 .hint = std::move(hint)});
 }
 
+std::string quoted_names(const Project& project) {
+  std::string names;
+  for (const std::string& name : names_of_meshes(project))
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : " with ", name);
+  return names;
+}
+
+std::string hint_to_turn(const Project& project, const char* axis) {
+  if (project.terrain.up == UpAxis::y) return "Leave out up = \"y\" if z points up in the file";
+  return *axis == 'y' ? "If y points up in the file, write up = \"y\" in [terrain]"
+                      : "If x points up in the file, turn it so that z does";
+}
+
 }  // namespace
+
+std::vector<std::string> names_of_meshes(const Project& project) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& file : project.terrain.meshes) names.push_back(file.string());
+  return names;
+}
 
 void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Problems& warnings) {
   // A sample of rows and columns is enough for a large raster.
@@ -45,7 +64,7 @@ void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Proble
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::ranges::nth_element(slopes, middle);
   if (degrees(*middle) <= steepest_deg) return;
-  warn(project, project.terrain.raster,
+  warn(project, fmt::format("\"{}\"", project.terrain.raster.string()),
        fmt::format("is steeper than {:.3g} degrees on half of its area", degrees(*middle)),
        fmt::format("its elevations seem not to be in metres; as centimetres they would make {:.2g} degrees",
                    degrees(*middle / 100)),
@@ -64,9 +83,26 @@ void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& w
   const double tilt = degrees(area.head<2>().norm() / std::abs(area.z()));
   if (!area.allFinite() || area.norm() == 0 || !(tilt > steepest_tilt_deg)) return;
   const char* axis = std::abs(area.y()) > std::abs(area.x()) ? "y" : "x";
-  warn(project, project.terrain.mesh, "seems to lie on its side",
-       fmt::format("as a whole it is {:.0f} degrees steep and faces along {}", tilt, axis),
-       fmt::format("z points up: if {0} does in this file, swap {0} and z", axis), warnings);
+  warn(project, quoted_names(project), "seems to lie on its side",
+       fmt::format("as a whole it is {:.0f} degrees steep and faces along {}; z points up", tilt, axis),
+       hint_to_turn(project, axis), warnings);
+}
+
+void warn_of_overhangs(const CleanMesh& mesh, const Project& project, Problems& warnings) {
+  constexpr double least_share = 1.0 / 3;
+  double all = 0, overhanging = 0;
+  bool is_closed = true;
+  for (std::size_t k = 0; k < mesh.triangles.size(); ++k) {
+    const auto& [a, b, c] = mesh.triangles[k];
+    const Vec3 area = (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
+    all += area.norm();
+    if (area.z() < -vertical_n_z * area.norm()) overhanging += area.norm();
+    for (const Neighbour& beyond : mesh.neighbours[k]) is_closed = is_closed && beyond.has_value();
+  }
+  if (is_closed || overhanging <= least_share * all) return;
+  warn(project, quoted_names(project), "overhangs on much of its area",
+       fmt::format("{:.0f} % of the area of its facets faces downwards; z points up", 100 * overhanging / all),
+       hint_to_turn(project, "y"), warnings);
 }
 
 }  // namespace talus::project

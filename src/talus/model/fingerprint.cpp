@@ -90,6 +90,20 @@ void put(ByteWriter& out, const ReleaseTable& table) {
   }
 }
 
+/// Everything else of a sampler follows from the project's text.
+void put_sample(ByteWriter& out, const Sampler& sampler) {
+  if (sampler.sample() == nullptr) return;
+  out.list(sampler.sample()->values());
+  out.list(sampler.sample()->weights_up_to());
+}
+
+void put(ByteWriter& out, const talus::Material& material) {
+  for (const Sampler* sampler :
+       {&material.normal_restitution, &material.tangential_restitution, &material.friction_angle, &material.roughness,
+        &material.dynamic_friction, &material.rolling_friction})
+    put_sample(out, *sampler);
+}
+
 void put(ByteWriter& out, const talus::Seeder& seeder) {
   out.text(seeder.name);
   out.put(seeder.source.index);
@@ -101,6 +115,9 @@ void put(ByteWriter& out, const talus::Seeder& seeder) {
   out.put(seeder.above_surface.value_or(0));
   out.flag(seeder.direction.has_value());
   put(out, seeder.direction.value_or(Vec3::Zero()));
+  for (const Sampler* sampler : {&seeder.size, &seeder.density, &seeder.horizontal, &seeder.vertical, &seeder.spin})
+    put_sample(out, *sampler);
+  if (seeder.speed) put_sample(out, *seeder.speed);
 }
 
 void put(ByteWriter& out, const talus::Barrier& barrier) {
@@ -138,6 +155,7 @@ std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& m
   out.count(model.surface.index());
   std::visit([&](const auto& surface) { put(out, surface); }, model.surface);
   put(out, model.ground, sources_of(model));
+  for (const talus::Material& material : model.ground.materials()) put(out, material);
   out.count(model.seeders.size());
   for (const talus::Seeder& seeder : model.seeders) put(out, seeder);
   out.count(model.barriers.size());

@@ -12,6 +12,7 @@
 #include "talus/model/build_terrain.hpp"
 #include "talus/model/check_releases.hpp"
 #include "talus/model/drawn.hpp"
+#include "talus/model/samples.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/varied_section.hpp"
 
@@ -273,11 +274,12 @@ void set_properties(const Project& project, Model& model) {
 }
 
 Model build_model(const Project& project, Problems& warnings) {
-  Model model = Builder(project, warnings).build();
-  if (!project.sampling.parameters.empty()) {
+  const Project with = read_samples(project, warnings);
+  Model model = Builder(with, warnings).build();
+  if (!with.sampling.parameters.empty()) {
     Problems problems;
-    locating_problems(project, "[sampling]", problems, warnings, [&](Problems&, Problems& doubts) {
-      add_ensembles(project, model, doubts);
+    locating_problems(with, "[sampling]", problems, warnings, [&](Problems&, Problems& doubts) {
+      add_ensembles(with, model, doubts);
       return true;
     });
   }

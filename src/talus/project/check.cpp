@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "talus/files/file_formats.hpp"
 #include "talus/maps/map_list.hpp"
 #include "talus/project/applies.hpp"
 #include "talus/project/check_design.hpp"
@@ -12,6 +13,7 @@
 #include "talus/project/check_materials.hpp"
 #include "talus/project/check_seeder.hpp"
 #include "talus/project/check_terrain.hpp"
+#include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/values.hpp"
 
@@ -48,6 +50,7 @@ class Rules {
           .check();
     }
     check_materials();
+    check_samples();
     if (materials_are_known()) {
       GroundRules{project_,
                   table("ground"),
@@ -143,6 +146,28 @@ class Rules {
           report(at, std::move(where), std::move(what), std::move(why), std::move(hint), severity);
         }}
         .check();
+  }
+
+  /// The files of empirical distributions.
+  void check_samples() {
+    for (const NamedFile& named : project_.named_files) {
+      const bool is_of_sample = named.key.ends_with(" file");  // a part of a random property: "mass_kg file"
+      if (!is_of_sample) continue;
+      const auto refuse = [&](std::string why, std::string hint) {
+        problems_.add({.file = named.named_in,
+                       .line = named.line,
+                       .where = named.where,
+                       .what = fmt::format("{} is \"{}\"", named.key, named.file.string()),
+                       .why = std::move(why),
+                       .hint = std::move(hint),
+                       .path = named.path});
+      };
+      if (const std::string why = why_unreadable(project_, named.file); !why.empty()) {
+        refuse(why, "The path is relative to the project file");
+      } else if (!is_of_kind(named.file, FileKind::point_text)) {
+        refuse("expected a text file that ends in " + endings_in_words(FileKind::point_text), "");
+      }
+    }
   }
 
   /// Names must be unique. An empty name is missing or was refused.

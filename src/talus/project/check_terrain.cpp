@@ -52,7 +52,7 @@ void TerrainRules::check() const {
   if (const Node deviations = accepted("section_std_dev_m"); deviations && accepted("section")) {
     check_deviations(deviations);
   }
-  if (const Node mesh = accepted("mesh")) check_mesh_file(mesh);
+  if (const Node mesh = accepted("mesh")) check_mesh_files(mesh);
   if (const Node raster = accepted("raster")) {
     if (const std::string why = why_unreadable(project, project.terrain.raster); !why.empty()) {
       refuse(raster, fmt::format("raster is {}", quoted(*raster)), why, "The path is relative to the project file");
@@ -118,22 +118,39 @@ void TerrainRules::check_deviations(Node deviations) const {
   }
 }
 
-void TerrainRules::check_mesh_file(Node mesh) const {
-  if (!is_of_kind(project.terrain.mesh, FileKind::mesh)) {
-    refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)),
+void TerrainRules::check_mesh_files(Node mesh) const {
+  const auto& files = project.terrain.meshes;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    const Node node = entry(mesh, k);
+    const auto first = std::find(files.begin(), files.end(), files[k]);
+    if (static_cast<std::size_t>(first - files.begin()) < k) {
+      refuse(node, fmt::format("mesh[{}] is {}", k, quoted(*node)), "it is listed twice", "Leave it out");
+    } else {
+      check_mesh_file(node, files[k], mesh->is_array() ? fmt::format("mesh[{}]", k) : "mesh");
+    }
+  }
+  if (const Node tolerance = accepted("merge_tolerance_m"); tolerance && files.size() == 1) {
+    report(tolerance, "merge_tolerance_m has no effect", "there is one mesh, in which only equal vertices are merged",
+           "Leave it out", Severity::warning);
+  }
+}
+
+void TerrainRules::check_mesh_file(Node mesh, const std::filesystem::path& file, const std::string& name) const {
+  if (!is_of_kind(file, FileKind::mesh)) {
+    refuse(mesh, fmt::format("{} is {}", name, quoted(*mesh)),
            "expected a file that ends in " + endings_in_words(FileKind::mesh));
     return;
   }
   // A project without a file has no folder that could hold its mesh.
   std::error_code error;
-  const std::filesystem::path path = project.file.parent_path() / project.terrain.mesh;
-  std::string why = why_unreadable(project, project.terrain.mesh);
+  const std::filesystem::path path = project.file.parent_path() / file;
+  std::string why = why_unreadable(project, file);
   if (why.empty() && std::filesystem::exists(project.file, error) && !std::filesystem::is_regular_file(path, error)) {
     const bool is_folder = std::filesystem::is_directory(path, error);
     why = fmt::format("{} is {}", path.string(), is_folder ? "a folder" : "not an ordinary file");
   }
   if (why.empty()) return;
-  refuse(mesh, fmt::format("mesh is {}", quoted(*mesh)), why, "The path is relative to the project file");
+  refuse(mesh, fmt::format("{} is {}", name, quoted(*mesh)), why, "The path is relative to the project file");
 }
 
 void TerrainRules::check_inline_mesh() const {

@@ -24,7 +24,8 @@ struct TerrainRules {
   void refuse(const Spot& at, std::string what, std::string why, std::string hint = "") const;
   void check_section(Node section) const;
   void check_deviations(Node deviations) const;
-  void check_mesh_file(Node mesh) const;
+  void check_mesh_files(Node mesh) const;
+  void check_mesh_file(Node mesh, const std::filesystem::path& file, const std::string& name) const;
   void check_inline_mesh() const;
 };
 

@@ -10,7 +10,7 @@
 namespace talus::project {
 
 std::optional<DoubtOfDraws> doubt_of_draws(const std::string& name, const Distribution& given, Bounds bounds) {
-  if (given.kind == DistributionKind::none) return std::nullopt;
+  if (given.kind == DistributionKind::none || given.kind == DistributionKind::empirical) return std::nullopt;
   const Truncation found = truncation_of(given, bounds);
   constexpr double few = 0.2;  // a normal distribution truncated at a quarter of its standard deviation on either side
   if (found.kept < few) {

@@ -43,7 +43,11 @@ struct Writer {
   }
   Written operator()(const std::optional<std::int64_t>* value) const { return *value ? Written(**value) : Written(); }
   Written operator()(const std::array<double, 3>* value) const { return *value; }
-  Written operator()(Distribution* value) const { return table_of(distribution_table(), value, two_dimensional); }
+  Written operator()(Distribution* value) const {
+    Written out = table_of(distribution_table(), value, two_dimensional);
+    if (value->kind == DistributionKind::empirical) out->erase("mean");
+    return out;
+  }
   Written operator()(std::optional<Distribution>* value) const { return *value ? (*this)(&**value) : std::nullopt; }
   Written operator()(const std::vector<double>* value) const { return *value; }  // an empty list has a meaning
   Written operator()(const std::map<std::string, std::string>* value) const {
@@ -97,6 +101,13 @@ struct Writer {
   Written operator()(RockLimitSlot slot) const {
     const auto& limit = *slot.limit;
     return !limit ? Json("all") : *limit == 0 ? Json("none") : Json(*limit);
+  }
+  Written operator()(FilesSlot slot) const {
+    if (slot.files->empty()) return std::nullopt;
+    if (slot.files->size() == 1) return slot.files->front().string();
+    Json out = Json::array();
+    for (const std::filesystem::path& file : *slot.files) out.push_back(file.string());
+    return out;
   }
   Written operator()(MapCellSlot slot) const {
     if (!*slot.size) return Json("terrain");

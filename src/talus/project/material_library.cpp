@@ -103,6 +103,7 @@ const MaterialLibrary& material_library() {
 }
 
 std::string in_words(const Distribution& property) {
+  if (property.kind == DistributionKind::empirical) return fmt::format("as in {}", property.file.string());
   if (property.kind == DistributionKind::none) return fmt::format("{}", property.mean);
   if (property.kind == DistributionKind::uniform && property.rel_min && property.rel_max) {
     return fmt::format("{:.6g} to {:.6g}", property.mean - *property.rel_min, property.mean + *property.rel_max);

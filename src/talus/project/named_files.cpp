@@ -77,6 +77,13 @@ std::string with_relative_paths(std::string text, const Project& project) {
   return text;
 }
 
+std::string name_in_problems(const Project& project, std::string_view table, std::string_view name, std::size_t index) {
+  std::string by_name = fmt::format("{} \"{}\"", table, name);
+  const bool is_named =
+      std::ranges::any_of(project.named_files, [&](const NamedFile& file) { return file.where == by_name; });
+  return is_named ? by_name : fmt::format("{} {}", table, index + 1);
+}
+
 Problems located_in_project(const Problems& problems, const Project& project, std::string_view where) {
   Problems located;
   for (Problem problem : problems.list()) {

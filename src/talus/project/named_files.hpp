@@ -19,6 +19,10 @@ namespace talus::project {
 /// A text in which paths of files in the project's folder are relative to it, however the project itself was named.
 [[nodiscard]] std::string with_relative_paths(std::string text, const Project& project);
 
+/// The name of an entry of [[table]] in problems: by its name, or by its number if the file does not name it.
+[[nodiscard]] std::string name_in_problems(const Project& project, std::string_view table, std::string_view name,
+                                           std::size_t index);
+
 /// Turns problems of files into problems of the row `where` ("[terrain]", `seeder "Cliff"`) that names them, with the
 /// file after the key. Problems of files that the row does not name, or names more than once, are unchanged. A problem
 /// of the row without a line gets the line of the file that it mentions.

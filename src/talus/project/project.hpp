@@ -58,14 +58,17 @@ struct Sampling {
   std::int64_t ensembles = 50;       // with `parameters`
 };
 
-/// [terrain]: exactly one of section, mesh (a file), triangles (inline, with vertices), raster (a file), a survey
+enum class UpAxis { z, y };
+
+/// [terrain]: exactly one of section, mesh (files), triangles (inline, with vertices), raster (a file), a survey
 /// (points, lines or both: files), polylines (inline) and polygons (a file). Paths are as written in the file; relative
 /// to the project file.
 struct Terrain {
   std::vector<std::array<double, 2>> section;            // x, z
   std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one pair per vertex, or empty; 2D only
   std::optional<double> width_m;                         // of the extrusion along y; without it the analysis is 2D
-  std::filesystem::path mesh;                            // as written in the file; relative to the project file
+  std::vector<std::filesystem::path> meshes;  // key `mesh`; as written in the file; relative to the project file
+  UpAxis up = UpAxis::z;                      // of the meshes
   std::vector<std::array<double, 3>> vertices;
   std::vector<std::array<std::int64_t, 3>> triangles;
   std::filesystem::path raster;  // as written in the file; relative to the project file

@@ -74,6 +74,9 @@ struct RockLimitSlot {
 struct MapCellSlot {
   std::optional<double>* size;  // "terrain" (nullopt) or a number of metres
 };
+struct FilesSlot {
+  std::vector<std::filesystem::path>* files;  // a name, or a list of names
+};
 
 template <class Enumerations>
 struct SlotWith;
@@ -86,7 +89,7 @@ struct SlotWith<const std::tuple<Listed...>> {
       std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
       std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
       std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*..., PositionSlot, PointsSlot,
-      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot>;
+      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot, FilesSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.

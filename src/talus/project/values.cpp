@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -283,6 +282,15 @@ bool ValueReader::into(const Value& value, std::vector<Item>* member) {
   return true;
 }
 
+bool ValueReader::into(const Value& value, FilesSlot slot) {
+  if (!value.node.is_array()) {
+    if (!value.node.is_string()) return refuse_kind(value, "a file name in quotes, or a list of them");
+    return into(value, &slot.files->emplace_back());
+  }
+  if (value.node.as_array()->empty()) return refuse_kind(value, "one file or more");
+  return into(value, slot.files);
+}
+
 template <class Enumeration>
 requires std::is_enum_v<Enumeration>
 bool ValueReader::into(const Value& value, Enumeration* member) {
@@ -306,8 +314,18 @@ bool ValueReader::into(const Value& value, Distribution* member) {
     return refuse_kind(value, "a number or { mean = ..., distribution = ..., ... }", number_hint(value.node));
   }
   const std::size_t before = problems_.list().size();
+  const auto has_new_errors = [&] {
+    return std::any_of(problems_.list().begin() + static_cast<std::ptrdiff_t>(before), problems_.list().end(),
+                       [](const Problem& problem) { return problem.severity == Severity::error; });
+  };
   if (parts) {
     read_rows(distribution_table(), *parts, &read, value.where, value.name + ' ');
+    check_parts(value, *parts, read.kind);
+    if (read.kind == DistributionKind::empirical) {
+      if (has_new_errors()) return false;
+      *member = read;
+      return true;
+    }
     const bool has_kind = parts->contains("distribution");
     for (const std::string_view key : {"std_dev", "rel_min", "rel_max"}) {
       if (has_kind || !parts->contains(key)) continue;
@@ -321,11 +339,7 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   // The mean was read as a part above; here it is checked against the range of the property.
   if (refused_.contains(&mean_node)) return false;
   if (mean_node.is_number() && !into(mean, &read.mean)) return false;
-  if (problems_.list().size() != before &&
-      std::any_of(problems_.list().begin() + static_cast<std::ptrdiff_t>(before), problems_.list().end(),
-                  [](const Problem& problem) { return problem.severity == Severity::error; })) {
-    return false;
-  }
+  if (has_new_errors()) return false;
   if (const auto why = why_unusable(read, bounds(range)))
     return refuse(value, fmt::format("{} {}", value.name, *why), "");
   if (auto doubt = doubt_of_draws(value.name, read, bounds(range))) {
@@ -340,49 +354,36 @@ bool ValueReader::into(const Value& value, Distribution* member) {
   return true;
 }
 
+void ValueReader::check_parts(const Value& value, const toml::table& parts, DistributionKind kind) {
+  const bool is_empirical = kind == DistributionKind::empirical;
+  const std::string_view needed = is_empirical ? "file" : "mean";
+  if (!parts.contains(needed) && !is_mistyped(distribution_table(), parts, needed)) {
+    Problem problem = document_.at(Spot(&parts, &parts, needed));
+    problem.where = value.where;
+    problem.what = fmt::format("{} {} is missing", value.name, needed);
+    problems_.add(std::move(problem));
+  }
+  for (const Setting& setting : distribution_table().settings) {
+    const toml::node* node = parts.get(setting.key);
+    if (!node || setting.key == "distribution") continue;
+    const bool is_of_sample = setting.key == "file" || setting.key == "column" || setting.key == "weight_column";
+    if (is_of_sample == is_empirical) continue;
+    const Value part{value.setting, *node, value.row, value.where, fmt::format("{} {}", value.name, setting.key)};
+    if (is_empirical) {
+      refuse(part, fmt::format("{} is given for a sample", part.name), "the file has its values, and none is cut off",
+             "Leave it out");
+    } else {
+      refuse(part, fmt::format("{} is given without a sample", part.name), "it would have no effect",
+             "Write distribution = \"empirical\"");
+    }
+  }
+}
+
 bool ValueReader::into(const Value& value, std::optional<Distribution>* member) {
   Distribution read;
   if (!into(value, &read)) return false;
   *member = read;
   return true;
-}
-
-bool ValueReader::into(const Value& value, std::map<std::int32_t, std::string>* member) {
-  const toml::table* parts = value.node.as_table();
-  if (!parts || parts->empty()) return refuse_kind(value, "{ 1 = \"...\", 2 = \"...\" } with one entry or more");
-  std::map<std::int32_t, std::string> read;
-  bool good = true;
-  for (const auto& [key, node] : *parts) {
-    const std::string_view name = key.str();
-    const Value entry{value.setting, node, value.row, value.where, fmt::format("{}.{}", value.name, name)};
-    std::int32_t number = 0;
-    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    std::string text;
-    if (error != std::errc{} || end != name.data() + name.size()) {
-      good = refuse(entry, fmt::format("{} has the key \"{}\"", value.name, name),
-                    "a class is a whole number of at most 32 bits");
-    } else if (!into(entry, &text)) {
-      good = false;
-    } else if (!read.emplace(number, std::move(text)).second) {
-      good = refuse(entry, fmt::format("{} repeats class {}", entry.name, number), "a class has one material");
-    }
-  }
-  if (good) *member = std::move(read);
-  return good;
-}
-
-bool ValueReader::into(const Value& value, std::map<std::string, std::string>* member) {
-  const toml::table* parts = value.node.as_table();
-  if (!parts || parts->empty()) return refuse_kind(value, "{ a = \"...\", b = \"...\" } with one entry or more");
-  std::map<std::string, std::string> read;
-  bool good = true;
-  for (const auto& [key, node] : *parts) {
-    const std::string name(key.str());
-    const Value entry{value.setting, node, value.row, value.where, fmt::format("{}.{}", value.name, name)};
-    good = into(entry, &read[name]) && good;
-  }
-  if (good) *member = std::move(read);
-  return good;
 }
 
 bool ValueReader::into(const Value& value, MapSubjects* member) {

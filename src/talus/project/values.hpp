@@ -83,6 +83,7 @@ class ValueReader {
   bool into(const Value&, DirectionSlot);
   bool into(const Value&, RockLimitSlot);
   bool into(const Value&, MapCellSlot);
+  bool into(const Value&, FilesSlot);
   template <class Item>
   bool into(const Value&, std::vector<Item>*);
   template <class Number, std::size_t count>
@@ -90,6 +91,9 @@ class ValueReader {
   template <class Enumeration>
   requires std::is_enum_v<Enumeration>
   bool into(const Value&, Enumeration*);
+
+  /// Reports parts of a random property that its kind lacks or does not have.
+  void check_parts(const Value& value, const toml::table& parts, DistributionKind kind);
 
   struct Position {
     std::array<double, 3> point{};

@@ -46,6 +46,7 @@ Untruncated untruncated(const Distribution& given) {
   const auto end = [&](double without_limit) { return m + given.rel_max.value_or(without_limit); };
   switch (given.kind) {
     case DistributionKind::none:
+    case DistributionKind::empirical:
       break;
     case DistributionKind::normal:
       return {given.kind, m, s, 0, 0};
@@ -92,6 +93,7 @@ Tails normal_tails(double z) {
 Tails tails(const Untruncated& base, double x) {
   switch (base.kind) {
     case DistributionKind::none:
+    case DistributionKind::empirical:
       break;
     case DistributionKind::normal:
       return normal_tails((x - base.first) / base.second);
@@ -136,6 +138,7 @@ double quantile_of(const Untruncated& base, Tails at) {
   const bool is_left = at.below < at.above;
   switch (base.kind) {
     case DistributionKind::none:
+    case DistributionKind::empirical:
       break;
     case DistributionKind::normal:
       return base.first + base.second * normal_quantile(at.below, at.above);
@@ -176,6 +179,11 @@ Sampler::Sampler(const Distribution& distribution, Bounds bounds, double scale) 
     value_ = distribution.mean * scale;
     return;
   }
+  if (distribution.kind == DistributionKind::empirical) {
+    base_.kind = distribution.kind;
+    sample_ = distribution.sample;
+    return;
+  }
   base_ = untruncated(distribution);
   const Bounds limits = limits_of(distribution, bounds);
   low_ = limits.least;
@@ -189,6 +197,7 @@ Sampler::Sampler(const Distribution& distribution, Bounds bounds, double scale) 
 }
 
 double Sampler::draw_random(double u) const {
+  if (sample_) return sample_->quantile(u) * scale_;
   const Tails at{below_low_ + span_below_ * u, above_high_ + span_above_ * (1 - u)};
   const double x = quantile_of(base_, at);
   // In this order a NaN, if Boost ever returns one, becomes the lower limit.
@@ -197,7 +206,9 @@ double Sampler::draw_random(double u) const {
 }
 
 std::vector<Density> density_of(const Distribution& distribution, Bounds bounds, std::size_t intervals) {
-  if (distribution.kind == DistributionKind::none || intervals == 0) return {};
+  const bool has_density =
+      distribution.kind != DistributionKind::none && distribution.kind != DistributionKind::empirical;
+  if (!has_density || intervals == 0) return {};
   const Untruncated base = untruncated(distribution);
   const Bounds limits = limits_of(distribution, bounds);
   const Sampler sampler(distribution, bounds);
@@ -261,6 +272,8 @@ const char* name_of(DistributionKind kind) {
       return "lognormal";
     case DistributionKind::gamma:
       return "gamma";
+    case DistributionKind::empirical:
+      return "empirical";
   }
   return "";
 }
@@ -304,6 +317,7 @@ Fault missing_parameter(const Distribution& given) {
   const char* kind = name_of(given.kind);
   switch (given.kind) {
     case DistributionKind::none:
+    case DistributionKind::empirical:
       return {};
     case DistributionKind::normal:
     case DistributionKind::lognormal:
@@ -404,6 +418,12 @@ Fault fault_in_limits(const Distribution& given, Bounds bounds) {
 }  // namespace
 
 std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds) {
+  if (distribution.kind == DistributionKind::empirical) {
+    if (!distribution.sample) return "has no sample (its values are in a file)";
+    const EmpiricalSample& sample = *distribution.sample;
+    if (sample.least() >= bounds.least && sample.most() <= bounds.most) return {};
+    return fmt::format("has values from {} to {} ({})", sample.least(), sample.most(), expected(bounds));
+  }
   if (Fault message = fault_in_numbers(distribution, bounds)) return message;
   if (distribution.kind == DistributionKind::none) return {};
   if (Fault message = missing_parameter(distribution)) return message;

@@ -4,13 +4,17 @@
 // function.
 
 #include <cstddef>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "talus/sampling/empirical.hpp"
+
 namespace talus {
 
-enum class DistributionKind { none, normal, uniform, triangular, beta, exponential, lognormal, gamma };
+enum class DistributionKind { none, normal, uniform, triangular, beta, exponential, lognormal, gamma, empirical };
 
 /// A property as in the manual's tables, in the property's unit.
 struct Distribution {
@@ -19,6 +23,10 @@ struct Distribution {
   std::optional<double> std_dev{};
   std::optional<double> rel_min{};  // draws are not below mean - rel_min
   std::optional<double> rel_max{};  // draws are not above mean + rel_max
+  // Of an empirical distribution, which has nothing else:
+  std::filesystem::path file{};                     // a table; relative to the project file
+  std::string column{}, weight_column{};            // of the table; empty: named as the property; equal weights
+  std::shared_ptr<const EmpiricalSample> sample{};  // once the file has been read
 };
 
 /// The range of a property for any distribution: restitution is in [0, 1], friction is not negative.
@@ -40,8 +48,9 @@ struct Untruncated {
 ///  - exponential with standard deviation s (default m), shifted so that its mean is m, truncated to [a, b];
 ///  - uniform on [a, b]; a side without a relative limit ends at m -+ sqrt(3) s;
 ///  - triangular on [a, b] with mode 3 m - a - b, kept inside [a, b]; a side without a limit ends at m -+ sqrt(6) s;
-///  - beta on [a, b] with mean m and standard deviation s.
-/// All of them are then also truncated to `bounds`. Truncation renormalizes (draws do not accumulate at the limits), so
+///  - beta on [a, b] with mean m and standard deviation s;
+///  - empirical: the values of a sample (empirical.hpp), neither truncated nor limited.
+/// All others are then also truncated to `bounds`. Truncation renormalizes (draws do not accumulate at the limits), so
 /// that an asymmetric one shifts the mean.
 ///
 /// Method: u is mapped to the range of the distribution function F between the limits, then through the inverse of F.
@@ -56,6 +65,8 @@ class Sampler {
   Sampler(const Distribution& distribution, Bounds bounds, double scale = 1.0);
 
   [[nodiscard]] bool is_constant() const { return base_.kind == DistributionKind::none; }
+  /// Of an empirical distribution, in the user's unit; null of others.
+  [[nodiscard]] const EmpiricalSample* sample() const { return sample_.get(); }
   /// The draw for the uniform number u in (0, 1). Increases with u.
   [[nodiscard]] double draw(double u) const { return is_constant() ? value_ : draw_random(u); }
 
@@ -69,6 +80,7 @@ class Sampler {
   double span_below_ = 1;                  // F(high) - F(low) as a difference of lower tails,
   double span_above_ = 1;                  // and of upper tails
   double scale_ = 1;
+  std::shared_ptr<const EmpiricalSample> sample_;
 };
 
 /// Probability density near a value: the share of draws in an interval around it, over the interval's width.
@@ -77,7 +89,8 @@ struct Density {
 };
 
 /// The density in this many equal intervals, for a figure: from the smallest to the largest draw, without tails of up
-/// to a thousandth of all draws. Empty for a constant. Expects a distribution that `why_unusable` accepts.
+/// to a thousandth of all draws. Empty for a constant and for a sample. Expects a distribution that `why_unusable`
+/// accepts.
 [[nodiscard]] std::vector<Density> density_of(const Distribution& distribution, Bounds bounds, std::size_t intervals);
 
 /// The effect of limits and bounds on a distribution.
@@ -86,13 +99,14 @@ struct Truncation {
   double least = 0, most = 0;  // of the draws
   double mean = 0;             // of the draws, accurate to some thousandths of their spread
 };
-/// Expects a distribution that `why_unusable` accepts, not a constant.
+/// Expects a distribution that `why_unusable` accepts, not a constant or empirical.
 [[nodiscard]] Truncation truncation_of(const Distribution& distribution, Bounds bounds);
 
 /// Whether its limits alone determine its width, so that its standard deviation has no effect.
 [[nodiscard]] bool is_given_by_its_limits(const Distribution& distribution);
 
-/// Why a sampler cannot be made from this distribution, for example a beta without limits; nullopt if it can. In the
+/// Why a sampler cannot be made from this distribution, for example a beta without limits; nullopt if it can. An
+/// empirical one must have its sample, and nothing is said about its parameters. In the
 /// form `problem (why). hint`, with the keys and units of the project file.
 [[nodiscard]] std::optional<std::string> why_unusable(const Distribution& distribution, Bounds bounds);
 

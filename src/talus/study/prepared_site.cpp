@@ -11,6 +11,7 @@
 #include "talus/campaign/simulate.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/model/model.hpp"
+#include "talus/model/samples.hpp"
 #include "talus/rocks/energy.hpp"
 
 namespace talus::study {
@@ -57,8 +58,8 @@ class PreparedSite::Worker {
   Model model_;
 };
 
-PreparedSite::PreparedSite(project::Project project, Problems& warnings)
-    : project_(std::move(project)), model_(project::build_model(project_, warnings)) {}
+PreparedSite::PreparedSite(const project::Project& project, Problems& warnings)
+    : project_(project::read_samples(project, warnings)), model_(project::build_model(project_, warnings)) {}
 
 project::Project PreparedSite::with(std::span<const SettingNumber> parameters, const ParameterSet& values) const {
   project::Project project = project_;

@@ -74,7 +74,7 @@ struct SetRuns {
 class PreparedSite {
  public:
   /// Builds the model of a checked project. Throws BadInput as `build_model` does; doubts are added to `warnings`.
-  PreparedSite(project::Project project, Problems& warnings);
+  PreparedSite(const project::Project& project, Problems& warnings);
 
   [[nodiscard]] const project::Project& project() const { return project_; }
   /// With the project's own values.

@@ -37,6 +37,7 @@ const kinds: Partial<Record<Name, FileKind[]>> = {
   boundary: ['vector'],
   polygons: ['vector'],
   table: ['points', 'vector'],
+  file: ['points'],
 };
 
 export function fittingFiles(key: Name, list: readonly FolderFile[]): FolderFile[] {

@@ -21,6 +21,8 @@ export type PartName = keyof Random['properties'] & string;
 
 /// The distribution of a property with the same value every time.
 export const constantKind: Random['properties']['distribution']['enum'][number] = 'none';
+/// The distribution of a property whose values are those of a file.
+export const sampleKind: Random['properties']['distribution']['enum'][number] = 'empirical';
 
 export type Name = TableName | KeyOf | PartName | Exclude<keyof Root, TableName>;
 /// The path of a value in the project: `['seeder', 0, 'position']`.

@@ -15,6 +15,8 @@ export interface Range {
 export type Kind =
   | { kind: 'number' | 'whole'; range: Range }
   | { kind: 'boolean' | 'text' | 'file' }
+  /// A file, or a list of files.
+  | { kind: 'files' }
   | { kind: 'choice'; words: string[] }
   | { kind: 'distribution'; range: Range; parts: Field[] }
   /// One of several words, or a number.
@@ -125,6 +127,7 @@ const tupleOf = ({ items, minItems = 1, maxItems = 3 }: Node, instead: string[])
 function alternatives(nodes: Node[]): Kind {
   const words = nodes.find(({ items }) => items?.enum)?.items?.enum;
   if (words && nodes.some(({ type }) => type === 'boolean')) return { kind: 'words', words };
+  if (nodes.some((node) => node['x-file'])) return { kind: 'files' };
   const number = nodes.find(({ type }) => type === 'number' || type === 'integer');
   const parts = nodes.find(({ properties }) => properties?.distribution);
   if (number && parts) return { kind: 'distribution', range: rangeOf(number), parts: fieldsOf(parts) };

@@ -19,6 +19,7 @@ function terrain(): string {
   for (const key of ['raster', 'mesh', 'points', 'lines', 'polygons'] as const) {
     const file = given[key];
     if (typeof file === 'string') return file;
+    if (Array.isArray(file)) return counted(file.length, 'file');
   }
   if (Array.isArray(given.polylines)) return counted(given.polylines.length, 'polyline');
   if (Array.isArray(given.triangles)) return counted(given.triangles.length, 'triangle');

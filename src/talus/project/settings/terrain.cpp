@@ -20,8 +20,10 @@ Need fixed_with(std::string_view key, std::string_view what, std::string_view wh
 
 Table terrain_table() {
   auto [add, rows] = one_row(&Project::terrain);
-  static const std::string mesh_meaning = "A file of triangles in metres (" + endings_in_words(FileKind::mesh) +
-                                          "). The path is relative to the project file.";
+  static const std::string mesh_meaning =
+      "A file of triangles in metres (" + endings_in_words(FileKind::mesh) +
+      "), or a list of such files that together make the terrain: `[\"face.obj\", \"foot.ply\"]`. Paths are relative "
+      "to the project file.";
   return {
       .key = "terrain",
       .required = true,
@@ -59,10 +61,21 @@ Table terrain_table() {
                .meaning = "Extrudes the section along y, from y = 0 to this width, into a 3D terrain.",
                .source = "Talus"},
               {.key = "mesh",
-               .slot = member(&Terrain::mesh),
+               .slot = [](Row row) -> Slot { return FilesSlot{&std::get<Terrain*>(row)->meshes}; },
                .without_it = one_terrain,
                .group = "Surface",
                .meaning = mesh_meaning,
+               .source = "Talus"},
+              {.key = "up",
+               .slot = member(&Terrain::up),
+               .applies_when = {{.any_of = {given("mesh")}}},
+               .always_accepted = {"z"},
+               .title = "Axis that points up",
+               .group = "Surface",
+               .topic = topics::terrain,
+               .meaning =
+                   "Axis of the mesh files that points up. With `\"y\"` (many modelling programs) the meshes are "
+                   "turned about x, so that their y becomes z, and their -z becomes y.",
                .source = "Talus"},
               {.key = "vertices",
                .slot = member(&Terrain::vertices),
@@ -204,12 +217,13 @@ Table terrain_table() {
                .slot = member(&Terrain::merge_tolerance_m),
                .unit = "m",
                .range = up_to(largest_coordinate_m),
-               .applies_when = {together_with({given("polylines"), given("polygons")})},
+               .applies_when = {together_with({given("polylines"), given("polygons"), given("mesh")})},
                .always_accepted = {"0.001"},
                .group = "Surface",
                .topic = topics::survey,
-               .meaning = "Vertices of `polylines` or `polygons` within this distance are merged, and sides are led "
-                          "through vertices within it, so that they make one surface.",
+               .meaning =
+                   "Vertices of `polylines`, of `polygons` or of several meshes within this distance are merged, "
+                   "so that they make one surface; sides of polygons are also led through vertices within it.",
                .source = "the manual, section 2"},
               {.key = "crs",
                .slot = member(&Terrain::crs),

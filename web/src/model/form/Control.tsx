@@ -8,6 +8,7 @@ import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
 import { idOf, problemsId, type FieldProps } from './fieldProps';
 import { FileControl } from './FileControl';
+import { FilesControl } from './FilesControl';
 import { LineControl, RowsControl, TupleControl } from './geometry';
 import { LibraryControl } from './LibraryControl';
 import { ListControl } from './ListControl';
@@ -85,6 +86,8 @@ export function Control({ field, path }: FieldProps) {
       );
     case 'file':
       return <FileControl field={field} path={path} />;
+    case 'files':
+      return <FilesControl field={field} path={path} />;
     case 'distribution':
       return <DistributionControl field={field} path={path} />;
     case 'tuple':

@@ -2,14 +2,16 @@
 
 import { edit, valueAt } from '../../state/document';
 import type { Problem } from '../../api/types';
+import { applies } from '../applies';
 import type { TomlTable, TomlValue } from '../../toml/format';
 import { problemsOf } from '../awaited';
 import { inheritedText, inheritedAt } from '../library';
-import { constantKind } from '../names';
+import { constantKind, sampleKind } from '../names';
 import { isTable, pathText, put, thingOf } from '../place';
 import { absentText, valueText } from '../words';
 import { Choice } from './Choice';
 import { Curve } from './Curve';
+import { FileControl } from './FileControl';
 import { idOf, problemsId, type FieldProps } from './fieldProps';
 import { TypedInput } from './TypedInput';
 
@@ -39,7 +41,11 @@ export function DistributionControl({ field, path }: FieldProps) {
     const kindText = next === undefined || next === constantKind ? 'constant' : next;
     const what = `change ${field.title.toLowerCase()} of ${thingOf(path)} to ${kindText}`;
     const now = mean ?? (isTable(inherited) ? inherited.mean : inherited) ?? standard?.mean;
-    if (next === undefined || next === constantKind) {
+    const isConstant = next === undefined || next === constantKind;
+    if (next === sampleKind || (kind === sampleKind && !isConstant)) {
+      // A sample has none of the parameters of the others.
+      edit(what, [{ set: path, value: { distribution: next } }]);
+    } else if (next === undefined || next === constantKind) {
       edit(what, [now === undefined ? { remove: path } : { set: path, value: now }]);
     } else if (given) edit(what, [{ set: [...path, 'distribution'], value: next }]);
     else edit(what, [{ set: path, value: { ...(now !== undefined && { mean: now }), distribution: next } }]);
@@ -47,14 +53,16 @@ export function DistributionControl({ field, path }: FieldProps) {
   return (
     <>
       <div class="distribution">
-        <TypedInput
-          id={id}
-          label={`${field.title}: mean`}
-          value={mean}
-          {...marks('mean')}
-          placeholder={inheritedText(path) ?? absentText(field)}
-          take={(next) => put(given ? [...path, 'mean'] : path, next, field.title, pathText(path))}
-        />
+        {kind !== sampleKind && (
+          <TypedInput
+            id={id}
+            label={`${field.title}: mean`}
+            value={mean}
+            {...marks('mean')}
+            placeholder={inheritedText(path) ?? absentText(field)}
+            take={(next) => put(given ? [...path, 'mean'] : path, next, field.title, pathText(path))}
+          />
+        )}
         {kinds?.kind === 'choice' && (
           <Choice
             label={`${field.title}: distribution`}
@@ -70,24 +78,29 @@ export function DistributionControl({ field, path }: FieldProps) {
         <>
           <div class="tuple">
             {field.type.parts
-              .filter(({ key }) => key !== 'mean' && key !== 'distribution')
+              .filter(({ key, needs }) => key !== 'mean' && key !== 'distribution' && applies(needs, '', given, {}))
               .map((part) => (
                 <label key={part.key} title={part.description}>
                   <span class="faint">{part.title}</span>
-                  <TypedInput
-                    label={`${field.title}: ${part.title.toLowerCase()}`}
-                    value={given[part.key]}
-                    {...marks(part.key)}
-                    placeholder={part.key === 'std_dev' ? '' : valueText(part.default)}
-                    take={(next) =>
-                      put(
-                        [...path, part.key],
-                        next,
-                        `${part.title.toLowerCase()} of ${field.title.toLowerCase()}`,
-                        pathText([...path, part.key]),
-                      )
-                    }
-                  />
+                  {part.type.kind === 'file' ? (
+                    <FileControl field={part} path={[...path, part.key]} />
+                  ) : (
+                    <TypedInput
+                      label={`${field.title}: ${part.title.toLowerCase()}`}
+                      isText={part.type.kind === 'text'}
+                      value={given[part.key]}
+                      {...marks(part.key)}
+                      placeholder={part.key === 'std_dev' ? '' : valueText(part.default)}
+                      take={(next) =>
+                        put(
+                          [...path, part.key],
+                          next,
+                          `${part.title.toLowerCase()} of ${field.title.toLowerCase()}`,
+                          pathText([...path, part.key]),
+                        )
+                      }
+                    />
+                  )}
                 </label>
               ))}
           </div>

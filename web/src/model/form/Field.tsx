@@ -14,7 +14,7 @@ import { Help } from './Help';
 
 /// Whether a field has a single control, which its label refers to. Other fields are labelled groups.
 const isSingle = ({ type }: Setting) =>
-  ['number', 'whole', 'boolean', 'choice', 'text', 'file', 'word or number', 'list'].includes(type.kind);
+  ['number', 'whole', 'boolean', 'choice', 'text', 'file', 'files', 'word or number', 'list'].includes(type.kind);
 
 export function Field({ field, path, before }: FieldProps & { before?: ComponentChildren }) {
   const [open, setOpen] = useState(false);

@@ -10,11 +10,18 @@ import { cellText } from '../numbers';
 import { pathText, put } from '../place';
 import { absentText } from '../words';
 import { idOf, problemsId, type FieldProps } from './fieldProps';
+import type { TomlValue } from '../../toml/format';
 
-export function FileControl({ field, path }: FieldProps) {
+interface Props extends FieldProps {
+  /// Of an entry of a list; otherwise the value is that at the path.
+  entry?: { value: TomlValue; take: (next: TomlValue | undefined) => void; name: string };
+}
+
+export function FileControl({ field, path, entry }: Props) {
   useEffect(() => void loadFiles(), []);
   const input = useRef<HTMLInputElement>(null);
-  const value = valueAt(path);
+  const value = entry ? entry.value : valueAt(path);
+  const take = entry?.take ?? ((next: TomlValue | undefined) => put(path, next, field.title));
   const now = cellText(value);
   const project = file.value ?? '';
   const names = fittingFiles(field.key, files.value).map(({ name }) => relativeTo(project, name));
@@ -24,16 +31,17 @@ export function FileControl({ field, path }: FieldProps) {
   const problems = problemsAt(pathText(path));
   const upload = async (list: File[]) => {
     const name = fittingName(field.key, await uploadFiles(project, list), files.value);
-    if (name !== undefined) put(path, name, field.title);
+    if (name !== undefined) take(name);
   };
   return (
     <div class="file-control">
       <select
         id={idOf(path)}
+        aria-label={entry?.name}
         aria-invalid={value !== undefined && problems.some(({ severity }) => severity === 'error')}
         aria-describedby={problemsId(path)}
         value={now}
-        onChange={(event) => put(path, event.currentTarget.value || undefined, field.title)}
+        onChange={(event) => take(event.currentTarget.value || undefined)}
       >
         <option value="">{emptyText}</option>
         {(now === '' || names.includes(now) ? names : [now, ...names]).map((name) => (
@@ -50,7 +58,7 @@ export function FileControl({ field, path }: FieldProps) {
         type="file"
         hidden
         multiple
-        aria-label={`Upload a file for ${field.title}`}
+        aria-label={`Upload a file for ${entry?.name ?? field.title}`}
         onChange={(event) => void upload(chosenFiles(event.currentTarget)).catch(reportFailure)}
       />
       <MoreFiles />
