@@ -225,7 +225,7 @@ TEST(RunFolderRefuses, TablesWithOtherColumns) {
 
 TEST(RunFolderRefuses, IncompleteRows) {
   EXPECT_EQ(message_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0) + "1,seeder 1,3\n"),
-            std::string("DIR/endpoints.csv:3: the row has 3 values (expected 15, one for each column)") + damaged);
+            std::string("DIR/endpoints.csv:3: the row has 3 values (expected 17, one for each column)") + damaged);
   EXPECT_EQ(message_about("barriers.csv", sample_run::barriers_head + "\"Fence,1,1.9\n"),
             std::string("DIR/barriers.csv:2: a quoted value has no end (the file ends inside it)") + damaged);
 }
