@@ -82,7 +82,7 @@ Material material_for(const RockKind& kind) {
     material.roughness = Sampler(Distribution{0, DistributionKind::normal, kind.roughness_deg}, {}, radians);
   }
   material.dynamic_friction = Sampler(0.5);
-  material.rolling_friction = spread(0.45, 0.03, {0, 1});
+  material.rolling_friction = spread(0.5, 0.03, {0, 1});
   return material;
 }
 

@@ -108,18 +108,18 @@ inline SmoothTerrain arc_terrain() {
     if (x <= crest) return (crest - x) + radius * (1 - 1 / std::numbers::sqrt2);
     return radius - std::sqrt(radius * radius - (foot - x) * (foot - x));
   };
-  return {"arc", 700, 400, ground, {10, 100}, {10, 300}, 250};
+  return {"arc", 700, 400, ground, {10, 100}, {10, 300}, 140};
 }
 
-/// A slope that levels out, with waves of 30 m along it and 40 m across it.
+/// A slope that levels out, with waves of 32 m and more in length.
 inline SmoothTerrain waves_terrain() {
   const auto ground = [](double x, double y) {
     constexpr double turn = 2 * std::numbers::pi;
     const double down = std::max(0.0, 400 - x);
-    const double waves = std::sin(turn * x / 30) * std::sin(turn * y / 40) + 0.5 * std::sin(turn * (x + y) / 25);
-    return 0.0011 * down * down + 0.25 * down + 0.7 * waves;
+    const double waves = 0.9 * std::sin(turn * x / 40) * std::sin(turn * y / 50) + 0.5 * std::sin(turn * (x + y) / 45);
+    return 0.001 * down * down + 0.2 * down + waves;
   };
-  return {"waves", 700, 400, ground, {10, 100}, {10, 300}, 250};
+  return {"waves", 900, 400, ground, {10, 100}, {10, 300}, 250};
 }
 
 /// Part of a raster, as FILE,west,south,east,north,x1,y1,x2,y2,distance in the file's coordinates: rocks are released

@@ -290,9 +290,14 @@ std::vector<double> ends_of(const std::string& text) {
 
 TEST(BuildModel, SettingsOfOneRockModelAffectOnlyThatModel) {
   const std::map<std::string_view, std::string> others{
-      {"rotation", "false"},          {"sliding", "\"closed_form\""},   {"grazing_angle_deg", "40"},
-      {"friction_angle", "\"zero\""}, {"friction_angle_deg", "5"},      {"tangential_crsp_damping", "true"},
-      {"roughness_spacing_m", "0.5"}, {"roughness_amplitude_m", "0.3"}, {"dynamic_friction", "0.05"},
+      {"rotation", "false"},
+      {"sliding", "\"closed_form\""},
+      {"friction_angle", "\"zero\""},
+      {"friction_angle_deg", "5"},
+      {"tangential_crsp_damping", "true"},
+      {"roughness_spacing_m", "0.5"},
+      {"roughness_amplitude_m", "0.3"},
+      {"dynamic_friction", "0.05"},
       {"rolling_friction", "0.4"},
   };
   // Rough ground on which a rock slides, with a bend that it grazes.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "support/moving_rocks.hpp"
@@ -31,7 +32,7 @@ TEST(Flying, EndsOnTheGroundAtTheTimeOfTheParabola) {
   const RockState next = fly(*rock, Flying{});
   const double time = std::sqrt(2 * 5 / g), speed = g * time;
   ASSERT_TRUE(std::holds_alternative<Flying>(next));
-  EXPECT_FALSE(std::get<Flying>(next).hops());
+  EXPECT_FALSE(std::get<Flying>(next).ground);
   EXPECT_NEAR(rock->motion.time, time, rounding * time);
   EXPECT_NEAR(rock->motion.position.x(), 10 + 3 * time, 20 * rounding);
   EXPECT_NEAR(rock->motion.velocity.x(), 0.8 * 3, 3 * rounding);
@@ -52,20 +53,45 @@ TEST(Flying, EndsOnAFacetWithoutNormalRestitution) {
   EXPECT_EQ(rock->motion.velocity.z(), 0);
 }
 
-// The sine of the angle is below `grazing`: no impact, and friction takes mu times the normal velocity.
-TEST(Flying, AfterASlideContinuesTheSlideIfItOnlyGrazesTheGround) {
-  const double into = 1e-3, along = 10, phi = 0.4;
+// At 14 degrees: below the default of 15. Speed and spin are kept but for friction, v' = v exp(-mu theta), or with
+// rolling resistance, v (1 - 5/7 mu_r theta).
+TEST(Flying, AfterAHopMovesOnIfItOnlyGrazesTheGround) {
+  const double speed = 10, angle = 14 * std::numbers::pi / 180, phi = 0.4;
+  const Vec3 velocity = speed * Vec3(std::cos(angle), 0, -std::sin(angle));
   for (const bool hops : {false, true}) {
     Laws laws = laws_of(RockModel::lumped_mass);
     laws.impact = PlainImpact{};
-    RockOn rock(level(), {.rn = 0, .rt = 0.5, .phi = phi}, laws, launched({10, 0, 0}, {along, 0, -into}));
+    RockOn rock(level(), {.rn = 0, .rt = 0.5, .phi = phi}, laws, launched({10, 0, 0}, velocity));
     Flying state;
-    if (hops) state.left.add(Vec3(0.6, 0, 0.8), FacetId{7});
+    if (hops) state.ground = GroundSoFar{{.mu = std::tan(phi)}, MaterialId{0}};
     const RockState next = fly(*rock, state);
     ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
-    const double kept = hops ? along - std::tan(phi) * into : 0.5 * along;
+    const double kept = hops ? speed * std::exp(-std::tan(phi) * angle) : 0.5 * velocity.x();
     EXPECT_NEAR(rock->motion.velocity.x(), kept, 10 * rounding) << hops;
+    EXPECT_EQ(std::get<OnFacet>(next).friction.mu, std::tan(phi));
   }
+
+  const Rock body = sphere_of_mass(1000, 2700);
+  const Vec3 rolling = Vec3::UnitZ().cross(Vec3(speed, 0, 0)) / body.radius;
+  RockOn sphere(level(), {.rn = 0.5}, laws_of(RockModel::rigid_sphere), {{10, 0, body.radius}, velocity, rolling},
+                body);
+  Flying rolled;
+  rolled.ground = GroundSoFar{{.sphere = {.dynamic = 0.5, .rolling = 0.3}}, MaterialId{0}};
+  ASSERT_TRUE(std::holds_alternative<OnFacet>(fly(*sphere, rolled)));
+  const double kept = speed * (1 - 5.0 / 7 * 0.3 * angle);
+  EXPECT_NEAR(sphere->motion.velocity.x(), kept, 100 * rounding);
+  EXPECT_NEAR(sphere->motion.spin.y() * body.radius, kept, 100 * rounding);
+}
+
+TEST(Flying, AfterAHopHasTheFrictionOfOtherGround) {
+  const Soil soil{.rn = 0.5, .rt = 0.5, .phi = 0.4};
+  const Laws laws = laws_of(RockModel::lumped_mass);
+  RockOn rock(level(), soil, laws, launched({10, 0, 0}, {10, 0, -1}));
+  Flying state;
+  state.ground = GroundSoFar{{.mu = 0.1}, MaterialId{1}};
+  const RockState next = fly(*rock, state);
+  ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
+  EXPECT_DOUBLE_EQ(std::get<OnFacet>(next).friction.mu, std::tan(0.4));
 }
 
 TEST(Flying, EndsAtTheEdgeOfTheModelOrAtTheMaximumTime) {

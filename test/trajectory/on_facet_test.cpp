@@ -52,7 +52,8 @@ TEST(OnFacet, ReachesTheEndWithTheSpeedFromEnergy) {
   // The ground falls away: it takes off from its facet.
   ASSERT_TRUE(std::holds_alternative<Flying>(next));
   EXPECT_EQ(std::get<Flying>(next).left.count, 1);
-  EXPECT_TRUE(std::get<Flying>(next).hops());
+  ASSERT_TRUE(std::get<Flying>(next).ground);
+  EXPECT_EQ(std::get<Flying>(next).ground->friction.mu, mu);
 }
 
 TEST(OnFacet, StrikesRisingGroundAndSlidesOnWithinAPlane) {
@@ -60,7 +61,7 @@ TEST(OnFacet, StrikesRisingGroundAndSlidesOnWithinAPlane) {
   RockOn strikes(rising, {.rn = 0.5, .rt = 1}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
   const RockState flies = slide_to_the_bend(strikes, rising, 0.25);
   ASSERT_TRUE(std::holds_alternative<Flying>(flies));
-  EXPECT_FALSE(std::get<Flying>(flies).hops());
+  EXPECT_FALSE(std::get<Flying>(flies).ground);
   EXPECT_EQ(strikes->last_contact.with.facet, FacetId{1});
 
   // Within one plane and one material the leg continues past the vertex to the end of the model.

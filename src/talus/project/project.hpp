@@ -36,7 +36,7 @@ struct Analysis {
   SlidingMethod sliding = SlidingMethod::stepped;
   double max_timestep_s = 0.01;
   double normal_velocity_cutoff_m_s = 0.1;
-  double grazing_angle_deg = 0.1;
+  double grazing_angle_deg = 15;
   double stopped_velocity_m_s = 0.1;
   std::int64_t max_steps = 10000;
   double max_time_s = 600;

@@ -80,7 +80,7 @@ template <class Surface>
                                      : max_height_of_flight(rock.surface, path, 0, flight_end.t, max_bounce);
   rock.log.flight(path, flight_end.t, motion, drag);
   rock.advance(path, drag, flight_end.t);
-  if (flight_end.contact) return strike(rock, *flight_end.contact, state.hops());
+  if (flight_end.contact) return strike(rock, *flight_end.contact, state.ground);
   if (flight_end.exit) return Ended{reason_of(*flight_end.exit)};
   return std::nullopt;
 }

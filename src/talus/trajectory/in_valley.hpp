@@ -185,7 +185,7 @@ template <class Surface>
       return strike(rock, {0, rising.normal, rising.facet, Feature::facet});
     }
   }
-  return take_off(rock, planes_left(rock, state));
+  return take_off(rock, state, planes_left(rock, state));
 }
 
 template <class Surface>
@@ -194,7 +194,7 @@ template <class Surface>
   move_to_end(rock, state.on.facet, leg, end);
   if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
   remove_drift(rock, state);
-  if (end.ahead) return NextState{strike(rock, *end.ahead)};
+  if (end.ahead) return NextState{strike(rock, *end.ahead, ground_so_far(rock, state))};
   if (end.edge) {
     rock.update_max_energy();
     if (const auto exit = exit_at(rock, *end.edge)) return NextState{leave_over_rim(rock, *exit)};
@@ -206,7 +206,7 @@ template <class Surface>
     rock.stretch.past_edge += end.t;
     const double short_while =
         std::min(rock.laws.timestep, time_for_way(tolerance::edge_step * rock.reach, rock.motion.velocity.norm(), 0));
-    if (rock.stretch.past_edge >= 0.5 * short_while) return NextState{take_off(rock)};
+    if (rock.stretch.past_edge >= 0.5 * short_while) return NextState{take_off(rock, state)};
   }
   return std::nullopt;
 }

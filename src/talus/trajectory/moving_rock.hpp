@@ -10,6 +10,7 @@
 #include "talus/barriers/crossing.hpp"
 #include "talus/core/tolerances.hpp"
 #include "talus/impact/law.hpp"
+#include "talus/sliding/bend.hpp"
 #include "talus/terrain/surface.hpp"
 #include "talus/trajectory/kept_outlines.hpp"
 #include "talus/trajectory/piece_maxima.hpp"
@@ -150,19 +151,23 @@ class MovingRock {
     const Vec3& v = motion.velocity;
     return std::abs(v.dot(n)) <= tolerance::level_bend * v.norm() && laws.gravity.dot(n) < 0;
   }
-  /// Whether a sliding rock, or one that has just slid, meets a facet at so small an angle that it slides on without an
-  /// impact. (CRSP takes a share of the tangential speed however small the angle is: over a bend made of many facets a
-  /// slide would lose all of it. A sphere needs no such rule: its loss tends to zero with the angle.)
+  /// Whether a rock that moves along the ground, or has done so until it took off, meets the next ground at so small an
+  /// angle that it moves on along it without an impact.
   [[nodiscard]] bool grazes(const Vec3& n) const {
     const double into = -motion.velocity.dot(n);
-    return !is_sphere() && into >= 0 && into < laws.grazing * motion.velocity.norm() && laws.gravity.dot(n) < 0;
+    return into >= 0 && into < laws.grazing * motion.velocity.norm() && laws.gravity.dot(n) < 0;
   }
-  /// A lumped mass grazes the ground: its velocity into the ground is removed, and friction acts on that impulse,
-  /// |v_t|' = |v_t| - mu |v_n|.
-  void apply_grazing(const Vec3& n, double mu) {
-    const double into = -motion.velocity.dot(n);
-    const Vec3 along = tangential(motion.velocity, n);
-    motion.velocity = std::max(0.0, 1 - mu * into / std::max(along.norm(), tolerance::least_speed)) * along;
+  /// It moves on along ground that it grazes.
+  void round_bend(const Vec3& n, const GroundFriction& friction) {
+    const Vec3 along = turned_onto(motion.velocity, n);
+    const double angle = bend_angle(motion.velocity, n);
+    if (is_sphere()) {
+      const Turned turned = rolled_round_bend(along, motion.spin, n, angle, rock, friction.sphere);
+      motion.velocity = turned.velocity;
+      motion.spin = turned.spin;
+    } else {
+      motion.velocity = std::exp(-friction.mu * angle) * along;
+    }
   }
   [[nodiscard]] PathState state_on(const Vec3& normal) const {
     if (!is_sphere()) return PathState::sliding;
@@ -208,12 +213,18 @@ class MovingRock {
   return exit.beneath ? EndReason::lost : exit.in_hole ? EndReason::no_data : EndReason::left_model;
 }
 
+/// `state`: one on the ground.
+template <class Surface, class State>
+[[nodiscard]] GroundSoFar ground_so_far(const MovingRock<Surface>& rock, const State& state) {
+  return {state.friction, rock.material_at(state.on.facet)};
+}
+
 /// The ground falls away, or ends. The path has two rows for it: the rock arrives here and leaves in flight.
-template <class Surface>
-[[nodiscard]] RockState take_off(MovingRock<Surface>& rock, const SupportPlanes& left = {}) {
+template <class Surface, class GroundState>
+[[nodiscard]] RockState take_off(MovingRock<Surface>& rock, const GroundState& from, const SupportPlanes& left = {}) {
   rock.arrive(PathState::impact);
   rock.log_row(PathState::projectile);
-  return Flying{left};
+  return Flying{left, ground_so_far(rock, from)};
 }
 
 template <class Surface>

@@ -120,7 +120,7 @@ template <class Surface>
     move_to_end(rock, state.on.facet, leg, end);
     if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
     rock.remember_contact(state.on);
-    return NextState{strike(rock, *end.ahead)};
+    return NextState{strike(rock, *end.ahead, ground_so_far(rock, state))};
   }
   const Motion before = rock.motion;
   move_along(rock, leg, t, Vec3::Zero());
@@ -129,7 +129,7 @@ template <class Surface>
   if (t > 0) leg.path.a = 2 / (t * t) * (rock.motion.position - leg.path.p - t * leg.path.v);
   rock.log_leg(state.on.facet, leg.path, t, before, rock.motion);
   rock.update_max_energy();
-  if (place == OverEdge::in_air) return NextState{take_off(rock)};
+  if (place == OverEdge::in_air) return NextState{take_off(rock, state)};
   if (place == OverEdge::on_edge) return std::nullopt;
   const OnFacet facet{state.on, state.friction, {}};
   remove_drift(rock, facet);

@@ -121,8 +121,8 @@ template <class Surface>
   if (rock.is_level(next.normal)) {
     rock.motion.velocity = tangential(rock.motion.velocity, next.normal);
   } else {
-    rock.apply_grazing(next.normal, state.friction.mu);
-    rock.log_row(PathState::sliding);
+    rock.round_bend(next.normal, state.friction);
+    rock.log_row(rock.state_on(next.normal));
   }
   return state;
 }
@@ -170,7 +170,7 @@ template <class Surface>
   if (rock.reach > 0 && normal_acceleration_on_edge(rock, state.on) > 0) {
     return OnEdge{state.on, state.friction, {}};  // too slow to take off, it turns about the edge
   }
-  return take_off(rock, planes_left(state));
+  return take_off(rock, state, planes_left(state));
 }
 
 template <class Surface>
@@ -181,7 +181,7 @@ template <class Surface>
   remove_drift(rock, state);
   if (end.ahead) {
     rock.remember_contact(state.on);
-    return NextState{strike(rock, *end.ahead)};
+    return NextState{strike(rock, *end.ahead, ground_so_far(rock, state))};
   }
   if (end.edge) {
     rock.update_max_energy();

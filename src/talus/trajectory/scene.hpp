@@ -21,12 +21,13 @@ struct Laws {
   ImpactLaw impact = CrspLaw{};  // must fit `model`
   Vec3 gravity{0, 0, -standard_gravity};
   SlidingMethod sliding = SlidingMethod::stepped;
-  double timestep = 0.01;                // of stepped motion along the ground [s]
-  double normal_velocity_cutoff = 0.1;   // a rock with less of it after an impact stays on the ground [m/s]
-  double grazing = 0.00174532836589831;  // sine of the angle below which a slide continues without an impact; 0.1 deg
-  double stopped_velocity = 0.1;         // a slower rock stops where friction can hold it [m/s]
-  std::int64_t max_steps = 10000;        // flights, impacts and stretches along the ground
-  double max_time = 600;                 // [s]
+  double timestep = 0.01;               // of stepped motion along the ground [s]
+  double normal_velocity_cutoff = 0.1;  // a rock with less of it after an impact stays on the ground [m/s]
+  // Sine of the angle to the ground below which a rock that moves along it moves on without an impact; 15 deg.
+  double grazing = 0.25881904510252074;
+  double stopped_velocity = 0.1;   // a slower rock stops where friction can hold it [m/s]
+  std::int64_t max_steps = 10000;  // flights, impacts and stretches along the ground
+  double max_time = 600;           // [s]
   FrictionSource friction_source = FrictionSource::material;
   RestitutionScaling restitution_scaling;
   MaterialSampling material_sampling = MaterialSampling::per_impact;

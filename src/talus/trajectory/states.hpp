@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "talus/core/id.hpp"
 #include "talus/rocks/motion.hpp"
 #include "talus/sliding/rolling.hpp"
 #include "talus/sliding/supports.hpp"
@@ -12,18 +13,24 @@
 
 namespace talus {
 
-/// In the air (flying.hpp).
-struct Flying {
-  SupportPlanes left;  // the facets that it has just slid or rolled off
-  /// Whether it slid until it took off: if it lands at a small enough angle, it slides on without an impact.
-  [[nodiscard]] bool hops() const { return left.count > 0; }
-};
-
 /// Friction and drag of the ground on a rock that moves along it.
 struct GroundFriction {
   double mu = 0;           // lumped mass: tangent of the friction angle
   ContactFriction sphere;  // rigid sphere
   double drag = 0;         // of soft ground and trees: force over mass and velocity [1/s]
+};
+
+/// The ground along which a rock moved until now. If it meets the next ground at a small angle, it moves on along it,
+/// with the same friction if the material is the same.
+struct GroundSoFar {
+  GroundFriction friction;
+  MaterialId material;
+};
+
+/// In the air (flying.hpp).
+struct Flying {
+  SupportPlanes left;                   // the facets that it has just slid or rolled off
+  std::optional<GroundSoFar> ground{};  // it moved along this until it took off
 };
 
 /// What carries a rock: a facet, an edge or a vertex.

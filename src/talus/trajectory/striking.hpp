@@ -72,21 +72,37 @@ template <class Surface>
   return OnEdge{on, friction, side_contact};
 }
 
-/// The impact of a rock on the ground, and its state afterwards. `hops`: it slid until it took off (Flying::hops).
+/// Whether gravity, less the turn about an edge, presses a rock onto what it touches.
 template <class Surface>
-[[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact, bool hops = false) {
+[[nodiscard]] bool is_pressed_on(MovingRock<Surface>& rock, const Contact& contact) {
+  if (contact.feature == Feature::facet) return rock.laws.gravity.dot(contact.normal) < 0;
+  return normal_acceleration_on_edge(rock, {contact.normal, contact.facet}) > 0;
+}
+
+/// The rock moves on along ground that it grazes.
+template <class Surface>
+[[nodiscard]] RockState move_on(MovingRock<Surface>& rock, const Contact& contact, GroundSoFar ground) {
+  if (rock.material_at(contact.facet) != ground.material) {
+    ground = {friction_at(rock, contact.facet), rock.material_at(contact.facet)};
+  }
+  rock.round_bend(contact.normal, ground.friction);
+  if (is_pressed_on(rock, contact)) return stay_on_ground(rock, contact, ground.friction);
+  rock.remember_contact({contact.normal, contact.facet});
+  rock.log_row(PathState::projectile);
+  return Flying{{}, ground};
+}
+
+/// The rock meets ground: an impact, unless it moved along the ground before, and grazes this.
+template <class Surface>
+[[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact,
+                               const std::optional<GroundSoFar>& before = {}) {
   Motion& motion = rock.motion;
   rock.arrive(PathState::impact);
+  if (before && rock.grazes(contact.normal)) return move_on(rock, contact, *before);
   rock.log.impact_place(motion.position);
   const Material& material = rock.ground[rock.material_at(contact.facet)];
   const std::uint32_t number = rock.contacts();
   const GroundDraw draw = rock.draw_at(contact.facet);
-  if (hops && rock.grazes(contact.normal)) {
-    const GroundFriction friction = friction_of(rock, draw, material, draw.restitution(material)[1]);
-    rock.apply_grazing(contact.normal, friction.mu);
-    return stay_on_ground(rock, contact, friction);
-  }
-
   const Vec3 n = rough_normal(rock, contact.normal, material, draw, number);
   rock.log_impact(contact, n);
   double rt = 0;
@@ -104,12 +120,9 @@ template <class Surface>
   rock.log.rebound(motion);
   rock.update_max_energy();
 
-  const Support with{contact.normal, contact.facet};
   const bool leaves = motion.velocity.dot(contact.normal) >= rock.leaving_speed;
-  const bool is_pressed_on = contact.feature == Feature::facet ? rock.laws.gravity.dot(contact.normal) < 0
-                                                               : normal_acceleration_on_edge(rock, with) > 0;
-  if (leaves || !is_pressed_on) {
-    rock.remember_contact(with);
+  if (leaves || !is_pressed_on(rock, contact)) {
+    rock.remember_contact({contact.normal, contact.facet});
     rock.log_row(PathState::projectile);
     return Flying{};
   }

@@ -68,13 +68,13 @@ Table analysis_table() {
                .slot = member(&Analysis::grazing_angle_deg),
                .unit = "deg",
                .range = up_to(45),
-               .applies_when = {of_model(RockModel::lumped_mass, Otherwise::warned)},
                .group = "When a rock stops",
                .topic = topics::points,
-               .meaning = "a sliding rock that meets ground at a smaller angle than this slides on without an impact, "
-                          "slowed by the friction of its velocity into the ground. The default suits rounded heights; "
-                          "use 1 to 5 for fine grids of smooth ground, 0 for an impact at every bend, as in RocFall.",
-               .source = "Talus"},
+               .meaning =
+                   "A rock that slides or rolls, and meets ground at a smaller angle than this at a bend or after a "
+                   "hop over one, moves on along it without an impact, slowed by friction. With the default, "
+                   "results hardly depend on the size of cells; 0 gives an impact at every bend, as in RocFall.",
+               .source = "Talus; 0 in RocFall2 and RocFall3"},
               {.key = "stopped_velocity_m_s",
                .slot = member(&Analysis::stopped_velocity_m_s),
                .unit = "m/s",
