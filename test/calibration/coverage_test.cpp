@@ -55,7 +55,7 @@ class Replicas {
               [&](std::size_t k, study::SetOutcome&& outcome) { samples_[k] = stops_of(outcome); });
     for (const Sample& sample : samples_)
       expected_.push_back(expected_summaries(sample, observed_rocks, {}, {feature}, seed));
-    sampler_.add(std::vector<double>(prior_sets, 0));
+    sampler_.set(std::vector<double>(prior_sets, 0));
   }
 
   /// How many of the parameters' 90 % intervals contain the truth in this many replicas, by parameter. Each replica has

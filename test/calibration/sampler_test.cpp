@@ -39,9 +39,10 @@ Sampler sampled(std::size_t dimensions, const std::vector<std::size_t>& rounds, 
                 std::uint64_t seed = 1) {
   Sampler sampler(dimensions, seed);
   for (const std::size_t count : rounds) {
+    static_cast<void>(sampler.next_round(count));
     std::vector<double> values;
-    for (const Place& place : sampler.next_round(count)) values.push_back(likelihood(place));
-    sampler.add(values);
+    for (const Place& place : sampler.places()) values.push_back(likelihood(place));
+    sampler.set(values);
   }
   return sampler;
 }

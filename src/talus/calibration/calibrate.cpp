@@ -42,6 +42,12 @@ Part part_of(const ObservedGroup& group, const std::vector<Index>& which) {
   return part;
 }
 
+Moments moments_of(const Eigen::VectorXd& values) {
+  const double mean = values.mean();
+  const auto n = static_cast<double>(values.size());
+  return {mean, n > 1 ? std::sqrt((values.array() - mean).square().sum() / (n - 1)) : 0};
+}
+
 class Calibration {
  public:
   Calibration(const PreparedStudy& study, const CalibrationOptions& options)
@@ -84,9 +90,13 @@ class Calibration {
     for (std::size_t k = first; k < result_.sets.size(); k += sets_at_once) {
       run_batch(k, std::min(k + sets_at_once, result_.sets.size()));
     }
+    result_.misfit = misfit();
     std::vector<double> likelihoods;
-    for (std::size_t k = first; k < result_.sets.size(); ++k) likelihoods.push_back(result_.sets[k].log_likelihood);
-    sampler_.add(likelihoods);
+    for (SetResult& set : result_.sets) {
+      set.log_likelihood = log_likelihood(set, result_.misfit);
+      likelihoods.push_back(set.log_likelihood);
+    }
+    sampler_.set(likelihoods);
   }
 
   void run_batch(std::size_t first, std::size_t last) {
@@ -141,8 +151,7 @@ class Calibration {
     return log_density(observed, expected_summaries(sample, count, strata, group.features, study_.study().seed));
   }
 
-  void add_up(SetResult& set) const {
-    set.log_likelihood = log_likelihood(set, 1);
+  static void add_up(SetResult& set) {
     set.score =
         std::accumulate(set.distances.begin(), set.distances.end(), 0.0) / static_cast<double>(set.distances.size());
   }
@@ -159,7 +168,8 @@ class Calibration {
     return sum;
   }
 
-  void weigh() {
+  /// The factor by which variances of summaries are increased, so that the nearest set agrees; 1: one does.
+  [[nodiscard]] double misfit() const {
     double least = std::numeric_limits<double>::infinity();
     for (const SetResult& set : result_.sets) {
       double squared = 0;
@@ -169,12 +179,12 @@ class Calibration {
     double summaries = 0;
     for (const Eigen::VectorXd& each : summaries_) summaries += static_cast<double>(each.size());
     constexpr double improbable = 0.99;
-    if (least > boost::math::quantile(boost::math::chi_squared(summaries), improbable) && std::isfinite(least)) {
-      result_.misfit = least / summaries;
-    }
-    std::vector<double> likelihoods;
-    for (const SetResult& set : result_.sets) likelihoods.push_back(log_likelihood(set, result_.misfit));
-    const std::vector<double> weights = sampler_.weights(likelihoods);
+    const double most = boost::math::quantile(boost::math::chi_squared(summaries), improbable);
+    return least > most && std::isfinite(least) ? least / summaries : 1;
+  }
+
+  void weigh() {
+    const std::vector<double> weights = sampler_.weights();
     for (std::size_t k = 0; k < weights.size(); ++k) {
       result_.sets[k].weight = weights[k];
       if (result_.sets[k].score < result_.sets[result_.best].score) result_.best = k;
@@ -276,7 +286,12 @@ class Calibration {
       const auto score = [&](const MatrixXd& forecast) {
         return count * comparisons_[g].score(forecast, predicted[g].rows);
       };
-      held.posterior += score(mixture_of(result_.sets, posterior, g, rows));
+      const MatrixXd forecast = mixture_of(result_.sets, posterior, g, rows);
+      held.posterior += score(forecast);
+      for (Index f = 0; f < forecast.cols(); ++f) {
+        held.features.push_back({study_.groups()[g].name, study_.groups()[g].features[static_cast<std::size_t>(f)],
+                                 moments_of(predicted[g].rows.col(f)), moments_of(forecast.col(f))});
+      }
       held.prior += score(mixture_of(result_.sets, prior, g, rows));
       if (constant[g] == nullptr) continue;
       held.constant = held.constant.value_or(0) + score(*constant[g]);

@@ -82,6 +82,17 @@ struct SetResult {
   double weight = 0;                  // in the posterior; all add up to 1
 };
 
+struct Moments {
+  double mean = 0, std_dev = 0;
+};
+
+/// A feature of a group, as observed and as predicted from the other observations.
+struct PredictedFeature {
+  std::string group;
+  Feature feature;
+  Moments observed, predicted;
+};
+
 /// A score of predictions of observations that were held out, over the spread of the observations: of the posterior
 /// from the others, of the prior, and of the distribution of the other observations themselves. Lower is better.
 struct HeldOut {
@@ -89,6 +100,7 @@ struct HeldOut {
   std::size_t observations = 0;
   double posterior = 0, prior = 0;
   std::optional<double> constant;  // nullopt: there are no other observations of this kind
+  std::vector<PredictedFeature> features;
 };
 
 struct CalibrationResult {

@@ -297,6 +297,20 @@ class Page {
     }
     row("all", count, posterior / count, prior / count, has_constant, constant / count);
     out_ += "</table>\n";
+    if (study_.study().hold_out_sites) held_out_features();
+  }
+
+  void held_out_features() {
+    out_ += "<table><tr><th>held out</th><th></th><th>observed</th><th>predicted from the other sites</th></tr>\n";
+    for (const HeldOut& held : result_.held_out) {
+      for (const PredictedFeature& each : held.features) {
+        out_ +=
+            fmt::format("<tr><td>{}</td><td>{}</td><td>{:.4g} \u00b1 {:.3g}</td><td>{:.4g} \u00b1 {:.3g}</td></tr>\n",
+                        escaped(each.group), escaped(with_unit(each.feature.name, each.feature.unit)),
+                        each.observed.mean, each.observed.std_dev, each.predicted.mean, each.predicted.std_dev);
+      }
+    }
+    out_ += "</table>\n";
   }
 
   const PreparedStudy& study_;

@@ -112,11 +112,22 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
   }
   json["held_out"] = Json::array();
   for (const HeldOut& held : result.held_out) {
+    Json features = Json::array();
+    for (const PredictedFeature& each : held.features) {
+      features.push_back({{"observations", each.group},
+                          {"name", each.feature.name},
+                          {"unit", each.feature.unit},
+                          {"observed_mean", each.observed.mean},
+                          {"observed_std_dev", each.observed.std_dev},
+                          {"predicted_mean", each.predicted.mean},
+                          {"predicted_std_dev", each.predicted.std_dev}});
+    }
     json["held_out"].push_back({{"name", held.name},
                                 {"observations", held.observations},
                                 {"posterior", held.posterior},
                                 {"prior", held.prior},
-                                {"constant", held.constant ? Json(*held.constant) : Json()}});
+                                {"constant", held.constant ? Json(*held.constant) : Json()},
+                                {"features", std::move(features)}});
   }
   json["warnings"] = Json::array();
   for (const Problem& problem : result.warnings.list()) json["warnings"].push_back(problem.text());

@@ -109,8 +109,9 @@ std::vector<Place> Sampler::next_round(std::size_t count) {
   return round;
 }
 
-void Sampler::add(std::span<const double> log_likelihoods) {
-  log_likelihoods_.insert(log_likelihoods_.end(), log_likelihoods.begin(), log_likelihoods.end());
+void Sampler::set(std::span<const double> log_likelihoods) {
+  TALUS_PROMISE(log_likelihoods.size() == places_.size(), "there is a likelihood for each place");
+  log_likelihoods_.assign(log_likelihoods.begin(), log_likelihoods.end());
   update_mixture();
 }
 

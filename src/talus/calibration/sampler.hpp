@@ -24,16 +24,16 @@ class Sampler {
   /// Expects 1 to 1000 dimensions. The same seed gives the same places for the same likelihoods.
   Sampler(std::size_t dimensions, std::uint64_t seed);
 
-  /// The places of the next round. Expects that the likelihoods of all earlier ones have been added.
+  /// The places of the next round. Expects that the likelihoods of all earlier ones have been set.
   [[nodiscard]] std::vector<Place> next_round(std::size_t count);
-  /// The logarithms of the likelihoods of the places of the last round; -infinity: impossible.
-  void add(std::span<const double> log_likelihoods);
+  /// The logarithms of the likelihoods of all places so far; -infinity: impossible.
+  void set(std::span<const double> log_likelihoods);
 
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
   [[nodiscard]] std::size_t rounds() const { return rounds_.size(); }
   /// The weights of all places with these logarithms of likelihoods; they add up to 1. All 0 for the prior.
   [[nodiscard]] std::vector<double> weights(std::span<const double> log_likelihoods) const;
-  /// With the likelihoods that were added.
+  /// With the likelihoods that were set.
   [[nodiscard]] std::vector<double> weights() const { return weights(log_likelihoods_); }
 
  private:
