@@ -27,6 +27,9 @@ constexpr const char* page_style =
 constexpr std::size_t most_in_pairs = 6;  // parameters
 constexpr int bins = 20;
 
+/// Rounding of sums that are 0 is not shown.
+double rounded(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
+
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
 }
@@ -150,11 +153,10 @@ class Page {
     const std::size_t count = study_.parameters().size();
     if (count < 2) return;
     out_ += "<h2>Correlations in the posterior</h2>\n<table><tr><th></th>";
-    for (const SoughtParameter& parameter : study_.parameters())
-      out_ += fmt::format("<th>{}</th>", escaped(parameter.name));
+    for (std::size_t k = 0; k < count; ++k) out_ += fmt::format("<th>{}</th>", k + 1);
     out_ += "</tr>\n";
     for (std::size_t a = 0; a < count; ++a) {
-      out_ += fmt::format("<tr><td>{}</td>", escaped(study_.parameters()[a].name));
+      out_ += fmt::format("<tr><td>{} {}</td>", a + 1, escaped(study_.parameters()[a].name));
       for (std::size_t b = 0; b < count; ++b)
         out_ += b < a ? fmt::format("<td>{:.2f}</td>", correlation(a, b)) : "<td></td>";
       out_ += "</tr>\n";
@@ -269,9 +271,9 @@ class Page {
         figure(plot, fmt::format("{}, {}: observed {:.4g} \u00b1 {:.3g} {}, predicted {:.4g} \u00b1 {:.3g} {} (mean "
                                  "and standard deviation). Energy distance of the best set {:.3g}; chance alone "
                                  "gives up to {:.3g}.",
-                                 study_.study().sites[group.site].name, group.name, observed_mean, observed_spread,
-                                 feature.unit, mean, spread, feature.unit, result_.sets[result_.best].distances[g],
-                                 result_.thresholds[g]));
+                                 study_.study().sites[group.site].name, group.name, rounded(observed_mean),
+                                 observed_spread, feature.unit, mean, spread, feature.unit,
+                                 result_.sets[result_.best].distances[g], result_.thresholds[g]));
   }
 
   void held_out() {
@@ -304,10 +306,10 @@ class Page {
     out_ += "<table><tr><th>held out</th><th></th><th>observed</th><th>predicted from the other sites</th></tr>\n";
     for (const HeldOut& held : result_.held_out) {
       for (const PredictedFeature& each : held.features) {
-        out_ +=
-            fmt::format("<tr><td>{}</td><td>{}</td><td>{:.4g} \u00b1 {:.3g}</td><td>{:.4g} \u00b1 {:.3g}</td></tr>\n",
-                        escaped(each.group), escaped(with_unit(each.feature.name, each.feature.unit)),
-                        each.observed.mean, each.observed.std_dev, each.predicted.mean, each.predicted.std_dev);
+        out_ += fmt::format(
+            "<tr><td>{}</td><td>{}</td><td>{:.4g} \u00b1 {:.3g}</td><td>{:.4g} \u00b1 {:.3g}</td></tr>\n",
+            escaped(each.group), escaped(with_unit(each.feature.name, each.feature.unit)), rounded(each.observed.mean),
+            each.observed.std_dev, each.predicted.mean, each.predicted.std_dev);
       }
     }
     out_ += "</table>\n";

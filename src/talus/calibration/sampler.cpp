@@ -197,7 +197,12 @@ std::vector<double> Sampler::weights(std::span<const double> log_likelihoods) co
     weights[k] = std::exp(log_likelihoods[k] - most) / mixture_[k];
     sum += weights[k];
   }
-  for (double& weight : weights) weight /= sum;
+  // Truncated, so that a place far from the others whose simulated likelihood came out high by chance does not count
+  // for more than many places.
+  const double largest = sum / std::sqrt(static_cast<double>(weights.size()));
+  double truncated = 0;
+  for (double& weight : weights) truncated += weight = std::min(weight, largest);
+  for (double& weight : weights) weight /= truncated;
   return weights;
 }
 

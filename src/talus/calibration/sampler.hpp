@@ -7,7 +7,9 @@
 // Bayesian computation", Biometrika 96 (2009) 983-990. The points of all rounds are kept. Their weights are the
 // likelihood over the density of the mixture of all rounds' proposals: J.-M. Cornuet, J.-M. Marin, A. Mira, C. P.
 // Robert, "Adaptive multiple importance sampling", Scandinavian Journal of Statistics 39 (2012) 798-812. As the first
-// round is part of the mixture, no weight can be much larger than the likelihood.
+// round is part of the mixture, no weight can be much larger than the likelihood. Weights are truncated at the square
+// root of their number times their mean: E. L. Ionides, "Truncated importance sampling", Journal of Computational and
+// Graphical Statistics 17 (2008) 295-311.
 
 #include <cstddef>
 #include <cstdint>
