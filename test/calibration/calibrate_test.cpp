@@ -88,8 +88,8 @@ class Calibrations : public testing_tools::InputFolder {
                                     rocks,
                                     seed});
     const study::PreparedSite site(std::move(reading.project), warnings_);
-    const study::SetOutcome outcome = site.run({}, {});
-    std::string stops = "x_m\n", values = "velocity_m_s,energy_kJ\n";
+    const study::SetOutcome outcome = site.run({}, {}, {.keep_marks = true});
+    std::string stops = "x_m\n", marks = "x_m\n", values = "velocity_m_s,energy_kJ\n";
     for (const study::RockEnd& end : outcome.ends) {
       const auto [a, b] = uniform_pair(seed, end.rock, static_cast<Stream>(6000), 0);
       const double error = 0.5 * std::sqrt(-2 * std::log(a)) * std::cos(2 * 3.141592653589793 * b);
@@ -99,7 +99,11 @@ class Calibrations : public testing_tools::InputFolder {
       values += std::to_string(crossing.speed) + "," +
                 std::to_string((crossing.translational_energy + crossing.rotational_energy) / 1000) + "\n";
     write("stops.csv", stops);
+    for (const study::Mark& mark : outcome.marks) {
+      if (mark.rock % 4 == 0) marks += std::to_string(mark.position.x()) + "\n";
+    }
     write("values.csv", values);
+    write("marks.csv", marks);
   }
 
   PreparedStudy prepared() {
@@ -147,6 +151,16 @@ TEST_F(Calibrations, LearnFromValuesAtALine) {
   const CalibrationResult result = calibrate(study);
   EXPECT_TRUE(agrees(result.sets[result.best], result));
   EXPECT_NEAR(result.sets[result.best].values[0], 0.75, 0.06);
+}
+
+TEST_F(Calibrations, LearnFromImpactMarks) {
+  observe(60, 0.65, 6, 17);
+  write("study.toml", replaced(study_text, "stops = \"stops.csv\"", "marks = \"marks.csv\"\naccuracy_m = 0"));
+  const CalibrationResult result = calibrate(prepared());
+  EXPECT_TRUE(agrees(result.sets[result.best], result));
+  double mean = 0;
+  for (const SetResult& set : result.sets) mean += set.weight * set.values[0];
+  EXPECT_LT(mean, 0.71);  // 0.75 is the middle of the prior
 }
 
 TEST_F(Calibrations, GiveTheSameFilesOnAnyNumberOfThreadsAndAfterAStop) {

@@ -84,7 +84,8 @@ prior = { mean = 5 }
 sites = ["site 2"]
 )"),
       "study.toml:2: draws is 10 (fewer cannot represent a posterior; expected 50 to 1e6)\n"
-      "study.toml:5: [[observations]] 1: stops or values is missing (observations come from a file). Write stops "
+      "study.toml:5: [[observations]] 1: stops, marks or values is missing (observations come from a file). Write "
+      "stops "
       "= \"stops.csv\"\n"
       "study.toml:6: observations 1: unknown key \"stop\". Did you mean \"stops\"?\n"
       "study.toml:9: [[parameter]] 1: range is [40, 20] (expected [least, greatest]). Exchange the two\n"

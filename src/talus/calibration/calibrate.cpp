@@ -53,7 +53,8 @@ class Calibration {
   Calibration(const PreparedStudy& study, const CalibrationOptions& options)
       : study_(study), options_(options), sampler_(study.parameters().size(), study.study().seed) {
     for (const ObservedGroup& group : study.groups()) {
-      comparisons_.emplace_back(group.sample.rows, group.kind == ObservationKind::stops);
+      comparisons_.emplace_back(group.sample.rows, group.kind != ObservationKind::values);
+      keeps_marks_ = keeps_marks_ || group.kind == ObservationKind::marks;
       result_.thresholds.push_back(comparisons_.back().distance_by_chance(chance, study.study().seed));
       summaries_.push_back(summaries_of(group.sample.rows));
     }
@@ -115,7 +116,7 @@ class Calibration {
       const PreparedStudy::AtSite& here = study_.at_site(site);
       std::vector<study::ParameterSet> values;
       for (const std::size_t k : unknown) values.push_back(here.values(result_.sets[k].values));
-      study_.sites()[site].run(here.numbers, values, {.threads = options_.threads},
+      study_.sites()[site].run(here.numbers, values, {.threads = options_.threads, .keep_marks = keeps_marks_},
                                [&](std::size_t k, study::SetOutcome&& outcome) {
                                  SetResult& set = result_.sets[unknown[k]];
                                  for (std::size_t g = 0; g < study_.groups().size(); ++g) {
@@ -307,6 +308,7 @@ class Calibration {
   const PreparedStudy& study_;
   const CalibrationOptions& options_;
   Sampler sampler_;
+  bool keeps_marks_ = false;
   std::vector<Comparison> comparisons_;     // by group
   std::vector<Eigen::VectorXd> summaries_;  // of the observations, by group
   CalibrationResult result_;

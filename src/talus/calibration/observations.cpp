@@ -38,7 +38,7 @@ class StopReader {
       : from_(from),
         site_(site),
         is_2d_(site.project().is_2d()),
-        file_(study.file.parent_path() / from.stops),
+        file_(study.file.parent_path() / from.file()),
         warnings_(warnings) {}
 
   std::vector<ReadStop> read() {
@@ -96,7 +96,7 @@ class StopReader {
       stop.position.x() = table.number(row, *x, problems_).value_or(0);
       if (!is_2d_) stop.position.y() = table.number(row, *y, problems_).value_or(0);
       if (stop.has_z) stop.position.z() = table.number(row, *z, problems_).value_or(0);
-      if (release) stop.release = table.text(row, *release);
+      if (release && from_.marks.empty()) stop.release = table.text(row, *release);
       stops.push_back(std::move(stop));
     }
     if (problems_.has_errors()) throw BadInput(std::move(problems_));
@@ -163,8 +163,8 @@ class StopReader {
     }
     if (high > 0) {
       warnings_.add({Severity::warning, file_.string(), 0, "",
-                     fmt::format("{} of {} observed stops are more than {:g} m above or below the terrain", high,
-                                 stops.size(), far_off_the_ground),
+                     fmt::format("{} of {} observed {} are more than {:g} m above or below the terrain", high,
+                                 stops.size(), from_.marks.empty() ? "stops" : "marks", far_off_the_ground),
                      fmt::format("up to {:.1f} m", most), "Compare their heights and coordinates with the terrain"});
     }
   }
@@ -278,8 +278,10 @@ ObservedGroup read_observations(const Study& study, const StudyObservations& fro
   group.name = from.name;
   group.site = site;
   group.weight = from.weight;
-  group.kind = from.stops.empty() ? ObservationKind::values : ObservationKind::stops;
-  if (group.kind == ObservationKind::stops) {
+  group.kind = !from.stops.empty()   ? ObservationKind::stops
+               : !from.marks.empty() ? ObservationKind::marks
+                                     : ObservationKind::values;
+  if (group.kind != ObservationKind::values) {
     take_stops(study, from, prepared, group, warnings);
   } else {
     take_values(study, from, prepared, group);
@@ -297,6 +299,14 @@ Sample simulated_sample(const ObservedGroup& group, const study::SetOutcome& out
       const Vec2 at = group.axis.of(end.end);
       for (Eigen::Index f = 0; f < features; ++f) sample.rows(row, f) = at[f];
       if (!group.sample.strata.empty()) sample.strata.push_back(end.seeder.index);
+    }
+    return sample;
+  }
+  if (group.kind == ObservationKind::marks) {
+    sample.rows.resize(static_cast<Eigen::Index>(outcome.marks.size()), features);
+    for (Eigen::Index row = 0; row < sample.rows.rows(); ++row) {
+      const Vec2 at = group.axis.of(outcome.marks[static_cast<std::size_t>(row)].position);
+      for (Eigen::Index f = 0; f < features; ++f) sample.rows(row, f) = at[f];
     }
     return sample;
   }

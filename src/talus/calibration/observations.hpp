@@ -21,7 +21,7 @@ struct PlanAxis {
   }
 };
 
-enum class ObservationKind { stops, values };
+enum class ObservationKind { stops, marks, values };
 enum class LineValue { height, velocity, energy };
 
 /// Observations of one file.
@@ -33,7 +33,7 @@ struct ObservedGroup {
   Sample sample;                  // strata: the seeders, by index, if the file names them
   double weight = 1;
 
-  PlanAxis axis;                  // of stops
+  PlanAxis axis;                  // of stops and marks
   BarrierId barrier;              // of values
   std::vector<LineValue> values;  // of values, by feature
   std::vector<Vec3> positions;    // of stops, as observed; z is 0 if it was not
@@ -44,7 +44,7 @@ struct ObservedGroup {
                                               const study::PreparedSite& prepared, Problems& warnings);
 
 /// The simulated values of a group's features, a row for each rock that has them: all rocks for stops; the rocks that
-/// arrive for values.
+/// arrive for values. For marks, a row for each impact: the outcome must have its marks.
 [[nodiscard]] Sample simulated_sample(const ObservedGroup& group, const study::SetOutcome& outcome);
 
 }  // namespace talus::calibration

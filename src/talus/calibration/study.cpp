@@ -112,19 +112,19 @@ class StudyCheck {
     } else if (!each.site.empty()) {
       check_site_name(table, k, "site", each.site);
     }
-    const bool has_file = !each.stops.empty() || !each.values.empty();
-    if (!has_file && !is_refused(table, k, "stops") && !is_refused(table, k, "values")) {
-      refuse(table, k, "", "stops or values is missing", "observations come from a file",
+    const bool has_file = !each.file().empty();
+    if (!has_file && !is_refused(table, k, "stops") && !is_refused(table, k, "marks") &&
+        !is_refused(table, k, "values")) {
+      refuse(table, k, "", "stops, marks or values is missing", "observations come from a file",
              "Write stops = \"stops.csv\"");
     }
     if (!each.values.empty() && each.at.empty() && !is_refused(table, k, "at")) {
       refuse(table, k, "values", "at is missing", "values are observed at a collector or barrier of the project", "");
     }
-    if (!each.stops.empty() && !each.at.empty()) {
-      refuse(table, k, "at", "at is given with stops", "only values have a line", "Leave it out");
+    if (each.values.empty() && has_file && !each.at.empty()) {
+      refuse(table, k, "at", "at is given without values", "only values have a line", "Leave it out");
     }
-    const std::filesystem::path& file = each.stops.empty() ? each.values : each.stops;
-    if (each.name.empty()) each.name = as_utf8(file.stem().string());
+    if (each.name.empty()) each.name = as_utf8(each.file().stem().string());
   }
 
   void check_parameter(std::size_t k) {

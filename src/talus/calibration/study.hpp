@@ -24,17 +24,22 @@ struct StudySite {
   int line = 0;
 };
 
-/// [[observations]]: exactly one of stops and values.
+/// [[observations]]: exactly one of stops, marks and values.
 struct StudyObservations {
   std::string name;              // default: the kind and the file's name
   std::string site;              // default: the only site
   std::filesystem::path stops;   // where rocks came to rest
+  std::filesystem::path marks;   // where rocks struck the ground
   std::filesystem::path values;  // of rocks at a line
   std::string at;                // a collector or barrier of the project, for values
   std::string layer;             // of a GIS file
   double accuracy_m = 0.5;       // standard deviation of observed coordinates and heights
   double weight = 1;
   int line = 0;
+
+  [[nodiscard]] const std::filesystem::path& file() const {
+    return !stops.empty() ? stops : !marks.empty() ? marks : values;
+  }
 };
 
 /// [[parameter]]

@@ -111,6 +111,10 @@ Table observations_table() {
                .meaning = "File of the places where rocks came to rest: CSV with the columns x_m and y_m (2D: x_m "
                           "alone), or points for a GIS. A column `release` names each rock's seeder.",
                .source = "Talus"},
+              {.key = "marks",
+               .slot = member(&StudyObservations::marks),
+               .meaning = "File of the places where rocks struck the ground, as for `stops`, without `release`.",
+               .source = "Talus"},
               {.key = "values",
                .slot = member(&StudyObservations::values),
                .meaning = "CSV file of rocks that arrived at a line, a row each, with one or more of the columns "
@@ -138,7 +142,7 @@ Table observations_table() {
                .meaning = "Factor of the logarithm of the likelihood: less than 1 where rocks were not independent.",
                .source = "Talus"},
           },
-      .choices = {{{"stops"}, {"values"}}}};
+      .choices = {{{"stops"}, {"marks"}, {"values"}}}};
 }
 
 Table parameter_table() {
