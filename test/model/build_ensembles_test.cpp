@@ -136,7 +136,7 @@ TEST_F(BuildEnsembles, RefuseABadSample) {
       refusal("analysis.max_time_s\n100\n"),
       at + ":1: analysis.max_time_s: cannot differ between rocks (all rocks of a run share it). Leave the column out");
   EXPECT_EQ(refusal("material.Scree.normal_restitution\nhigh\n"),
-            at + ":2: material.Scree.normal_restitution: \"high\" is not a number");
+            at + ":2: material.Scree.normal_restitution: \"high\" is not a number (expected a finite number)");
 }
 
 TEST_F(BuildEnsembles, RefuseAMissingFile) {

@@ -14,7 +14,8 @@ namespace {
 
 // Rocks slide down a plane at 45 degrees and along the flat, without a random property. Their runout on the flat is
 // proportional to the height that friction leaves: it depends on the flat's friction alone, and not on their mass.
-const std::string sliding = R"(
+const std::string sliding = R"([analysis]
+rotation = false
 [terrain]
 section = [[0, 0], [10, -10], [200, -10]]
 [[material]]

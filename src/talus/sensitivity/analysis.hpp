@@ -16,7 +16,7 @@
 namespace talus::sensitivity {
 
 /// A number that varies. The last input of every study is the seed of the rocks: what it seems to cause is the noise of
-/// a finite number of rocks, and no other input of less effect can be told from it.
+/// a finite number of rocks.
 struct Input {
   std::string name;          // its path, or seed_name
   std::string unit, values;  // "0.2 to 0.6"

@@ -117,15 +117,13 @@ class Doubts {
       for (const Effect& effect : result.of_inputs) {
         if (effect.size()) largest = std::max(largest, effect.size()->value);
       }
-      const auto seed = result.of_inputs.back().size();
-      const double noise = seed ? seed->high.value_or(seed->value) : 0;
-      const double least = is_morris() ? negligible_effect * largest : negligible_index;
-      if (size->value > std::max(noise, least)) return;
+      if (size->value > (is_morris() ? negligible_effect * largest : negligible_index)) return;
     }
     if (!is_known) return;
     warn(study_.inputs[k].line, fmt::format("[[parameter]] {}", k + 1),
          fmt::format("no result depends on {}", analysis_.inputs[k].name),
-         "its effect is not larger than that of the choice of rocks", "Leave it at its value, or run more rocks");
+         is_morris() ? "its effects are less than a twentieth of the largest" : "its total index is 0.02 at most",
+         "Leave it at its value");
   }
 
   const Study& study_;

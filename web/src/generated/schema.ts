@@ -42,6 +42,8 @@ export const schema = {
         "seed": {"type":"integer","minimum":0.0,"description":"A trajectory depends only on the project, this number and the rock's number.","default":1,"x-source":"Talus"},
         "method": {"enum":["monte_carlo","latin_hypercube"],"description":"Independent draws, or draws stratified over the rocks of the campaign.","default":"monte_carlo","x-source":"McKay, Beckman and Conover 1979 for `latin_hypercube`"},
         "materials": {"enum":["per_impact","per_rock"],"description":"Material properties are drawn at every impact, or once for each rock.","default":"per_impact","x-source":"Talus; the manual does not say which its programs do"},
+        "parameters": {"type":"string","minLength":1,"x-file":true,"description":"CSV file with a sample of uncertain parameters, such as the posterior of a calibration: a row a set, a column `weight`, and a column for each parameter, named by its path (`material.Scree.normal_restitution`). The rocks are divided into ensembles, each with a set drawn by weight.","x-without-it":"all rocks have the project's values","x-source":"Talus"},
+        "ensembles": {"type":"integer","minimum":2.0,"maximum":10000.0,"description":"Ensembles of rocks with different parameters; rock n belongs to ensemble n modulo this number.","default":50,"x-applies-when":[[{"key":"parameters","given":true}]],"x-source":"Talus"},
       },
       "additionalProperties": false,
       "x-topic": {"document":"project-file.md","heading":"`[sampling]`"},
