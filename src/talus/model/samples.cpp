@@ -44,22 +44,21 @@ class SampleReader {
   std::shared_ptr<const EmpiricalSample> read() {
     const std::string name = given_.column.empty() ? std::string(setting_.key) : given_.column;
     const std::size_t column = place_of_column(table_, name, file_);
-    const std::optional<std::size_t> weights =
-        given_.weight_column.empty() ? std::nullopt
-                                     : std::optional(place_of_column(table_, given_.weight_column, file_));
+    const bool is_weighted = !given_.weight_column.empty();
+    const std::size_t weights = is_weighted ? place_of_column(table_, given_.weight_column, file_) : column;
     const Bounds bounds = drawn(setting_.key, given_)->bounds;
     std::vector<EmpiricalSample::Value> values;
     double weight_sum = 0;
     while (table_.next()) {
       const auto value = number(column);
-      const auto weight = weights ? number(*weights) : 1;
+      const std::optional<double> weight = is_weighted ? number(weights) : 1.0;
       if (!value || !weight) continue;
       if (*value < bounds.least || *value > bounds.most) {
         const std::string_view why = *value > bounds.most ? setting_.range.too_high : setting_.range.too_low;
         table_.refuse(fmt::format("{} is {}", table_.columns()[column], number_text(*value)),
                       fmt::format("{}{}expected {}", why, why.empty() ? "" : "; ", setting_.range.text()));
       } else if (*weight < 0) {
-        table_.refuse(fmt::format("{} is {}", table_.columns()[*weights], number_text(*weight)),
+        table_.refuse(fmt::format("{} is {}", table_.columns()[weights], number_text(*weight)),
                       "a weight is not negative");
       } else {
         doubt(*value);

@@ -46,7 +46,8 @@ struct Analysis {
   double rn_velocity_scale_m_s = 9.144;
   bool scale_rn_by_mass = false;
   double rn_mass_scale_kg = 1000;
-  bool tangential_crsp_damping = false;  // rigid sphere only
+  bool tangential_crsp_damping = false;       // rigid sphere only
+  bool rolling_resistance_in_impacts = true;  // rigid sphere only
 };
 
 /// [sampling]

@@ -10,16 +10,11 @@
 // mu_r is the coefficient of rolling friction: a moment mu_r N r against the spin (physics of a ball on an inclined
 // plane, any text on mechanics; rolling resistance as RocFall's "rolling friction").
 
+#include "talus/rocks/contact_friction.hpp"
 #include "talus/rocks/rock.hpp"
 #include "talus/sliding/leg.hpp"
 
 namespace talus {
-
-/// Friction of a rigid sphere's contact.
-struct ContactFriction {
-  double dynamic = 0;  // mu
-  double rolling = 0;  // mu_r
-};
 
 /// The share of a force on its centre that accelerates a rolling sphere, m r^2 / (m r^2 + I); the rest changes its
 /// spin.

@@ -51,7 +51,7 @@ class PreparedSite::Worker {
                                    hit.motion.velocity.norm(), translational_energy(record.body, hit.motion),
                                    rotational_energy(record.body, hit.motion), hit.station, hit.outcome});
     }
-    for (const Vec3& impact : log.impacts) outcome.marks.push_back({record.rock, global(impact)});
+    for (const Vec3& impact : log.impact_places) outcome.marks.push_back({record.rock, global(impact)});
   }
 
   const PreparedSite& site_;

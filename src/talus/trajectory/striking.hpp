@@ -111,7 +111,9 @@ template <class Surface>
     rt = tangential;
     return Restitution{rock.laws.restitution_scaling.scaled(rn, motion.velocity.dot(n), rock.rock.mass), rt};
   };
-  const auto draw_friction = [&] { return draw.dynamic_friction(material); };
+  const auto draw_friction = [&] {
+    return ContactFriction{draw.dynamic_friction(material), draw.rolling_friction(material)};
+  };
   const Approach approach{motion.velocity, motion.spin, n, rock.rock};
   const Rebound rebound = std::visit(
       [&](const auto& law) { return law.rebound(approach, draw_restitution, draw_friction); }, rock.impact_law);
