@@ -190,7 +190,8 @@ TEST(TheProgram, ReportsThatStandardOutputIsFull) {
 TEST(RefusedByTheProgram, AnUnknownCommand) {
   const Workplace place;
   const std::string known =
-                        "(known commands: run, serve, merge, check, replay, report, verify, materials, schema, new)",
+                        "(known commands: run, serve, merge, calibrate, check, replay, report, "
+                        "sensitivity, verify, materials, schema, new)",
                     help = "\nSee `talus --help`.\n";
   EXPECT_EQ(said(place, "rnu slope.toml"), "2 there is no command \"rnu\". Did you mean \"run\"?" + help);
   EXPECT_EQ(said(place, "slope.toml"),

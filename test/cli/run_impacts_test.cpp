@@ -164,7 +164,7 @@ TEST(ChosenRunout, RefusesTwoFramesAndWrongShapes) {
   EXPECT_NE(text("3d", "--set 'output.runout_from=[3]'").find("expected a point on plan, [x, y], in a 3D analysis"),
             std::string::npos);
   EXPECT_NE(text("2d", "--set 'output.runout_from=[3, 4]'").find("expected [x] in a 2D analysis"), std::string::npos);
-  EXPECT_NE(text("2d", "--set 'output.runout_along=[[0, 10], [40, 10]]'").find("a section has no lateral direction"),
+  EXPECT_NE(text("2d", "--set 'output.runout_along=[[0, 10], [40, 10]]'").find("expected x in a 2D analysis"),
             std::string::npos);
   EXPECT_NE(text("3d", "--set 'output.runout_along=[[0, 10]]'").find("two or more points on plan"), std::string::npos);
   EXPECT_NE(text("3d", "--set 'output.runout_along=[[0, 10], [0, 10]]'").find("repeats the previous point"),

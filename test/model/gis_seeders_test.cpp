@@ -23,10 +23,10 @@ using namespace testing_tools;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::string head = R"([terrain]
+const std::string head = R"(material = [{ name = "Rock", roughness_deg = 2 }]
+[terrain]
 raster = "dem.tif"
-[[material]]
-name = "Rock"
+
 [[seeder]]
 name = "Cliffs"
 diameter_m = 0.5

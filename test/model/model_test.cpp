@@ -297,6 +297,7 @@ TEST(BuildModel, SettingsOfOneRockModelAffectOnlyThatModel) {
       {"tangential_crsp_damping", "true"},
       {"roughness_spacing_m", "0.5"},
       {"roughness_amplitude_m", "0.3"},
+      {"rolling_resistance_in_impacts", "false"},
       {"dynamic_friction", "0.05"},
       {"rolling_friction", "0.4"},
   };

@@ -73,7 +73,7 @@ const std::vector<BadTerrain> bad_terrains{
     {"NegativeLength", "points = \"p.csv\"\nmax_edge_m = -5",
      "slope.toml:3: [terrain]: max_edge_m is -5 (expected more than 0, up to 1e9)"},
     {"MergedSurvey", "points = \"p.csv\"\nmerge_tolerance_m = 0.5",
-     "slope.toml:3: [terrain]: merge_tolerance_m is given without polylines or polygons (it would have no effect)"},
+     "slope.toml:3: [terrain]: merge_tolerance_m is given without polylines or polygons or mesh (it would have no effect)"},
     {"LayerOfPolylines", "points = \"p.csv\"\npolygons_layer = \"faces\"",
      "slope.toml:3: [terrain]: polygons_layer is given without polygons (it would have no effect)"},
     {"RotatedSurvey", "points = \"p.csv\"\nrotate_deg = 30",

@@ -32,8 +32,11 @@ rn_velocity_scale_m_s = 9
 scale_rn_by_mass = true
 rn_mass_scale_kg = 2000
 tangential_crsp_damping = true
+rolling_resistance_in_impacts = false
 [sampling]
 seed = 77
+parameters = "posterior.csv"
+ensembles = 20
 method = "latin_hypercube"
 materials = "per_rock"
 [terrain]
@@ -103,6 +106,8 @@ cost_height_exponent = 2
 cost_energy_exponent = 0
 [output]
 endpoints = 30
+impacts = "all"
+runout_from = [3]
 paths = 3
 report = false
 )";
@@ -142,6 +147,7 @@ height_m = 3.5
 block_mass_kg = 1200
 [output]
 paths = "none"
+runout_along = [[0, 10], [40, 10]]
 maps = false
 maps_by_source = true
 raster_cell_m = 2.5

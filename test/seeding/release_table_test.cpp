@@ -93,7 +93,7 @@ TEST(ReleaseTables, ReplaceTheSettingsOfTheSeeder) {
   const Release release = release_of_rock(seeder_of(std::move(table), 1), 0);
   EXPECT_EQ(release.motion.position, Vec3(5, 6, 7));
   EXPECT_EQ(release.rock.mass, 70);
-  EXPECT_EQ(release.rock.radius, sphere_of_mass(70, 2800).radius);
+  EXPECT_DOUBLE_EQ(release.rock.radius, sphere_of_mass(70, 2800).radius);
   EXPECT_EQ(release.motion.velocity, Vec3(0, 4, -1));
   EXPECT_EQ(release.motion.spin, Vec3(1, 2, 3));
 }
@@ -101,7 +101,7 @@ TEST(ReleaseTables, ReplaceTheSettingsOfTheSeeder) {
 TEST(ReleaseTables, LeaveTheRestToTheSeeder) {
   const Release release = release_of_rock(seeder_of(some_rows(1), 1), 0, Vec3::UnitY());
   EXPECT_EQ(release.rock.mass, 500);
-  EXPECT_EQ(release.rock.radius, sphere_of_mass(500, 2500).radius);
+  EXPECT_DOUBLE_EQ(release.rock.radius, sphere_of_mass(500, 2500).radius);
   EXPECT_EQ(release.motion.velocity, Vec3(0, 3, -1));
   EXPECT_EQ(release.motion.spin, Vec3(-2, 0, 0));
 }

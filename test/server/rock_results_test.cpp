@@ -84,10 +84,10 @@ TEST_F(RockResults, OfEveryRockAgreeWithTheTables) {
     for (std::size_t k = 0; k < rows.size(); ++k) {
       EXPECT_EQ(header["seeders"][seeders[k]], rows[k][1]);
       EXPECT_EQ(header["sources"][sources[k]], rows[k][1]) << "a seeder without a source is its own source";
-      EXPECT_EQ(header["reasons"][reasons[k]], rows[k][10]);
-      EXPECT_EQ(masses[k], static_cast<float>(std::stod(rows[k][11])));
-      EXPECT_EQ(radii[k], static_cast<float>(std::stod(rows[k][12])));
-      EXPECT_EQ(energies[k], static_cast<float>(std::stod(rows[k][13]) / 1000));
+      EXPECT_EQ(header["reasons"][reasons[k]], rows[k][11]);
+      EXPECT_EQ(masses[k], static_cast<float>(std::stod(rows[k][13])));
+      EXPECT_EQ(radii[k], static_cast<float>(std::stod(rows[k][14])));
+      EXPECT_EQ(energies[k], static_cast<float>(std::stod(rows[k][15]) / 1000));
       std::uint32_t expected = 0;
       for (const Texts& hit : all_hits)
         if (hit[1] == rows[k][0]) expected |= hit[0] == header["barriers"][0] ? 1U : 2U;

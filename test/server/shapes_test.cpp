@@ -78,7 +78,7 @@ TEST_F(Shapes, RefusesInvalidDistributions) {
   EXPECT_TRUE(beta["density"].empty());
   EXPECT_EQ(post("/api/distribution", {{"mean", 1}, {"distribution", "bet"}}).problem(),
             "distribution: \"bet\" is not a distribution (expected one of none, normal, uniform, triangular, beta, "
-            "exponential, lognormal, gamma)");
+            "exponential, lognormal, gamma, empirical)");
   EXPECT_EQ(post("/api/distribution", {{"mean", 1}, {"key", "colour"}}).problem(),
             "key: \"colour\" is not a random property");
 }

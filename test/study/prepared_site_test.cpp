@@ -99,8 +99,10 @@ TEST(SettingNumber, RefusesWhatCannotBeVaried) {
   EXPECT_EQ(refusal_of("seeder.0.volume_m3"),
             "study.toml:3: \"seeder.0.volume_m3\" is not given in the project (a study varies numbers that are). Give "
             "it a value there");
-  EXPECT_EQ(refusal_of("seeder.0.mass_kg", replaced(slope, "mass_kg = 100", "volume_m3 = 1")),
-            "study.toml:3: \"seeder.0.mass_kg\" has no effect (the project gives volume_m3 instead)");
+  EXPECT_EQ(
+      refusal_of("seeder.0.mass_kg", replaced(slope, "mass_kg = 100", "volume_m3 = 1")),
+      "study.toml:3: \"seeder.0.mass_kg\" is not given in the project (a study varies numbers that are). Give it a "
+      "value there");
   EXPECT_EQ(refusal_of("material.Scree.friction_angle_deg.std_dev"),
             "study.toml:3: \"material.Scree.friction_angle_deg.std_dev\" has no effect (the property is a plain number "
             "in the project). Give it a distribution there");

@@ -44,7 +44,7 @@ TEST(Forest, StopsRocksEarlierInEveryPercentile) {
   const TriangleMesh mesh = slope_and_plain(dice).mesh();
   const Soil soil{.rn = 0.35, .rt = 0.85, .phi = 0.5, .rolling = 0.3, .roughness = 0.05};
   // Many rocks stop within a metre at the foot of the slope: chance in the low percentiles of 150 rocks [m].
-  constexpr double chance = 0.5;
+  constexpr double chance = 1.5;
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
     std::vector<std::vector<double>> by_density;
     for (const double drag : {0.0, 250.0, 500.0, 750.0}) {

@@ -42,7 +42,7 @@ Table sampling_table() {
               {.key = "ensembles",
                .slot = member(&Sampling::ensembles),
                .range = {.least = 2, .most = most_ensembles, .too_low = "one set shows no uncertainty"},
-               .applies_when = {together_with({given("parameters")}, "is given without parameters")},
+               .applies_when = {{.any_of = {given("parameters")}, .otherwise = Otherwise::warned}},
                .meaning = "Ensembles of rocks with different parameters; rock n belongs to ensemble n modulo this "
                           "number.",
                .source = "Talus"},
