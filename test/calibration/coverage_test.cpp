@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t rocks = 150, observed_rocks = 25, prior_sets = 1500;
 
-constexpr const char* slope = R"(
+constexpr const char* hill = R"(
 [terrain]
 section = [[0, 0], [40, -40], [70, -55], [300, -60]]
 [[material]]
@@ -94,7 +94,7 @@ class Replicas {
 
   static study::PreparedSite site_with(std::uint64_t seed) {
     Problems warnings;
-    return {project::read_project_text(slope, "slope.toml", {{}, std::nullopt, seed}).project, warnings};
+    return {project::read_project_text(hill, "slope.toml", {{}, std::nullopt, seed}).project, warnings};
   }
   static Sample stops_of(const study::SetOutcome& outcome) {
     Sample sample;

@@ -18,13 +18,13 @@ double log_normal(const Place& at, double mean, double sd, double correlation) {
   return -0.5 * (x * x - 2 * correlation * x * y + y * y) / (1 - correlation * correlation);
 }
 
-struct Moments {
+struct PriorMoments {
   double mean = 0, sd = 0;
 };
 
-Moments moments(const Sampler& sampler, std::size_t dimension) {
+PriorMoments prior_moments(const Sampler& sampler, std::size_t dimension) {
   const std::vector<double> weights = sampler.weights();
-  Moments moments;
+  PriorMoments moments;
   double square = 0;
   for (std::size_t k = 0; k < weights.size(); ++k) {
     moments.mean += weights[k] * sampler.places()[k][dimension];
@@ -65,8 +65,8 @@ TEST(Sampler, FindsANarrowPosterior) {
   const Sampler sampler = sampled(2, {600, 300, 300, 300}, likelihood);
   EXPECT_GT(effective_size(sampler.weights()), 80);
   for (std::size_t d = 0; d < 2; ++d) {
-    EXPECT_NEAR(moments(sampler, d).mean, 0.4, 0.002);
-    EXPECT_NEAR(moments(sampler, d).sd, 0.01, 0.0015);
+    EXPECT_NEAR(prior_moments(sampler, d).mean, 0.4, 0.002);
+    EXPECT_NEAR(prior_moments(sampler, d).sd, 0.01, 0.0015);
   }
 }
 
@@ -74,14 +74,14 @@ TEST(Sampler, IsNotBiasedAtTheEndsOfThePrior) {
   // Half of a normal distribution: mean sd sqrt(2 / pi).
   const auto likelihood = [](const Place& at) { return -0.5 * at[0] * at[0] / (0.05 * 0.05); };
   const Sampler sampler = sampled(1, {300, 300, 300}, likelihood);
-  EXPECT_NEAR(moments(sampler, 0).mean, 0.05 * std::sqrt(2 / std::numbers::pi), 0.002);
+  EXPECT_NEAR(prior_moments(sampler, 0).mean, 0.05 * std::sqrt(2 / std::numbers::pi), 0.002);
 }
 
 TEST(Sampler, LeavesThePriorWhereTheDataSayNothing) {
   const auto likelihood = [](const Place& at) { return -0.5 * std::pow((at[0] - 0.5) / 0.05, 2); };
   const Sampler sampler = sampled(2, {600, 300, 300}, likelihood);
-  EXPECT_NEAR(moments(sampler, 1).mean, 0.5, 0.03);
-  EXPECT_NEAR(moments(sampler, 1).sd, std::sqrt(1.0 / 12), 0.02);
+  EXPECT_NEAR(prior_moments(sampler, 1).mean, 0.5, 0.03);
+  EXPECT_NEAR(prior_moments(sampler, 1).sd, std::sqrt(1.0 / 12), 0.02);
 }
 
 TEST(Sampler, DependsOnlyOnSeedAndLikelihood) {

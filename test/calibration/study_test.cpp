@@ -29,7 +29,7 @@ path = "material.Scree.friction_angle_deg"
 range = [20, 40]
 )";
 
-const std::string slope = R"(
+const std::string two_part_slope = R"(
 [terrain]
 section = [[0, 0], [40, -40], [300, -60]]
 [[material]]
@@ -115,7 +115,7 @@ TEST(Study, HasEveryKeyInTheDocumentation) {
 
 class StudyFiles : public testing_tools::InputFolder {
  protected:
-  StudyFiles() { write("slope.toml", slope); }
+  StudyFiles() { write("slope.toml", two_part_slope); }
   std::string problems_of(const std::string& study, const std::string& stops) {
     write("stops.csv", stops);
     write("study.toml", study);
