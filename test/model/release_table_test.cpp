@@ -32,7 +32,7 @@ name = "Runs"
 type = "table"
 table = "releases.csv"
 )";
-const std::string section = R"([terrain]
+const std::string section_terrain = R"([terrain]
 section = [[0, 10], [100, 0]]
 [[material]]
 name = "Rock"
@@ -151,18 +151,18 @@ TEST_F(ReleaseTableFiles, ReleaseSeveralRocksFromARow) {
 }
 
 TEST_F(ReleaseTableFiles, AreReadInSections) {
-  const Model built = model("x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wy_rad_s,mass_kg\n10,0,12,3,0,-1,7,5\n", section);
+  const Model built = model("x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wy_rad_s,mass_kg\n10,0,12,3,0,-1,7,5\n", section_terrain);
   const Motion rock = starts(built).front();
   EXPECT_LT((rock.position - Vec3(10, 0, 12)).norm(), 1e-12);
   EXPECT_EQ(rock.velocity, Vec3(3, 0, -1));
   EXPECT_EQ(rock.spin, Vec3(0, 7, 0));
-  EXPECT_EQ(refusal("x_m,y_m,z_m,vy_m_s,wx_rad_s,mass_kg\n10,2,12,3,1,5\n", section),
+  EXPECT_EQ(refusal("x_m,y_m,z_m,vy_m_s,wx_rad_s,mass_kg\n10,2,12,3,1,5\n", section_terrain),
             "slope.toml:8: seeder \"Runs\": table releases.csv:2: y_m is 2 (a section has y = 0)\n"
             "slope.toml:8: seeder \"Runs\": table releases.csv:2: vy_m_s is 3 (in a section it is 0)\n"
             "slope.toml:8: seeder \"Runs\": table releases.csv:2: wx_rad_s is 1 (in a section it is 0)");
-  EXPECT_THAT(refusal("x_m,speed_m_s,azimuth_deg,mass_kg\n10,2,90,5\n", section),
+  EXPECT_THAT(refusal("x_m,speed_m_s,azimuth_deg,mass_kg\n10,2,90,5\n", section_terrain),
               HasSubstr("column azimuth_deg is given in 2D (a section has no plan). Give vx_m_s and vz_m_s"));
-  EXPECT_THAT(refusal("x_m\n120\n", section + "mass_kg = 100\n"),
+  EXPECT_THAT(refusal("x_m\n120\n", section_terrain + "mass_kg = 100\n"),
               HasSubstr("seeder \"Runs\": line 2: x = 120 is off the terrain (the section extends from x = 0 to 100)"));
 }
 
