@@ -54,7 +54,7 @@ class Replicas {
     site_.run(numbers_, sets, {.rocks = rocks},
               [&](std::size_t k, study::SetOutcome&& outcome) { samples_[k] = stops_of(outcome); });
     for (const Sample& sample : samples_)
-      expected_.push_back(expected_summaries(sample, observed_rocks, {}, {feature}, seed));
+      expected_.push_back(expected_summaries(sample, {Eigen::MatrixXd::Zero(observed_rocks, 1)}, {feature}, seed));
     sampler_.set(std::vector<double>(prior_sets, 0));
   }
 

@@ -84,9 +84,8 @@ prior = { mean = 5 }
 sites = ["site 2"]
 )"),
       "study.toml:2: draws is 10 (fewer cannot represent a posterior; expected 50 to 1e6)\n"
-      "study.toml:5: [[observations]] 1: stops, marks or values is missing (observations come from a file). Write "
-      "stops "
-      "= \"stops.csv\"\n"
+      "study.toml:5: [[observations]] 1: stops, marks, values or zones is missing (observations come from a file). "
+      "Write stops = \"stops.csv\"\n"
       "study.toml:6: observations 1: unknown key \"stop\". Did you mean \"stops\"?\n"
       "study.toml:9: [[parameter]] 1: range is [40, 20] (expected [least, greatest]). Exchange the two\n"
       "study.toml:12: [[parameter]] 2: prior is a single value (there would be nothing to seek). Add distribution "
@@ -127,10 +126,12 @@ class StudyFiles : public testing_tools::InputFolder {
 TEST_F(StudyFiles, RefuseObservationsOffTheTerrain) {
   EXPECT_EQ(problems_of(small, "x_m\n90\n310\n"),
             "stops.csv:3: x = 310 is off the terrain (the section extends from x = 0 to 300)\n"
-            "stops.csv: 1 of 2 observations are off the terrain");
+            "stops.csv: 1 of 2 observations are off the terrain. Leave out what lies off the terrain, or extend the "
+            "terrain");
   EXPECT_EQ(problems_of(small, "x_m\n2600000\n"),
             "stops.csv:2: x = 2600000 is off the terrain (the section extends from x = 0 to 300)\n"
-            "stops.csv: 1 of 1 observations are off the terrain (they may be in another coordinate system)");
+            "stops.csv: 1 of 1 observations are off the terrain (they may be in another coordinate system). "
+            "Give x along the section, as its vertices have it");
 }
 
 TEST_F(StudyFiles, RefuseTablesThatCannotBeRead) {

@@ -9,8 +9,9 @@
 #include <limits>
 #include <numeric>
 
-#include "talus/calibration/comparison.hpp"
 #include "talus/calibration/doubts.hpp"
+#include "talus/calibration/group_comparison.hpp"
+#include "talus/calibration/reach.hpp"
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
 
@@ -19,28 +20,10 @@ namespace talus::calibration {
 namespace {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 
 constexpr std::size_t sets_at_once = 96;  // between calls of `finished`
-constexpr double chance = 0.95;           // of the thresholds
 constexpr double impossible = -std::numeric_limits<double>::infinity();
 constexpr auto fold_stream = static_cast<Stream>(1300);
-
-/// Some rows of the observations of a group.
-struct Part {
-  MatrixXd rows;
-  std::vector<std::uint32_t> strata;
-};
-
-Part part_of(const ObservedGroup& group, const std::vector<Index>& which) {
-  Part part;
-  part.rows.resize(static_cast<Index>(which.size()), group.sample.rows.cols());
-  for (std::size_t k = 0; k < which.size(); ++k) {
-    part.rows.row(static_cast<Index>(k)) = group.sample.rows.row(which[k]);
-    if (!group.sample.strata.empty()) part.strata.push_back(group.sample.strata[static_cast<std::size_t>(which[k])]);
-  }
-  return part;
-}
 
 Moments moments_of(const Eigen::VectorXd& values) {
   const double mean = values.mean();
@@ -53,10 +36,8 @@ class Calibration {
   Calibration(const PreparedStudy& study, const CalibrationOptions& options)
       : study_(study), options_(options), sampler_(study.parameters().size(), study.study().seed) {
     for (const ObservedGroup& group : study.groups()) {
-      comparisons_.emplace_back(group.sample.rows, group.kind != ObservationKind::values);
+      comparisons_.emplace_back(group, study.study().seed);
       keeps_marks_ = keeps_marks_ || group.kind == ObservationKind::marks;
-      result_.thresholds.push_back(comparisons_.back().distance_by_chance(chance, study.study().seed));
-      summaries_.push_back(summaries_of(group.sample.rows));
     }
   }
 
@@ -68,6 +49,7 @@ class Calibration {
       const std::size_t later = rounds > 1 ? all / 2 / (rounds - 1) : 0;
       const std::size_t count = round == 0 ? all - later * (rounds - 1) : later;
       run_round(round, count);
+      if (round == 0) expect_reach(study_, result_.sets);
     }
     weigh();
     hold_out();
@@ -86,6 +68,7 @@ class Calibration {
       set.samples.resize(study_.groups().size());
       set.densities.resize(study_.groups().size());
       set.distances.resize(study_.groups().size());
+      set.chances.resize(study_.groups().size());
       result_.sets.push_back(std::move(set));
     }
     for (std::size_t k = first; k < result_.sets.size(); k += sets_at_once) {
@@ -136,20 +119,10 @@ class Calibration {
 
   /// The comparison of one group; called by several threads for different sets.
   void compare(SetResult& set, std::size_t g) const {
-    const ObservedGroup& group = study_.groups()[g];
-    const Sample& sample = set.samples[g];
-    set.densities[g] = density_of(group, sample, summaries_[g], static_cast<std::size_t>(group.sample.rows.rows()),
-                                  group.sample.strata);
-    // Without a single value, the distance is that of a distribution infinitely far away: a large number.
-    constexpr double nothing_arrives = 1e3;
-    set.distances[g] = sample.rows.rows() == 0 ? nothing_arrives : comparisons_[g].distance(sample.rows);
-  }
-
-  [[nodiscard]] LogDensity density_of(const ObservedGroup& group, const Sample& sample, const Eigen::VectorXd& observed,
-                                      std::size_t count, const std::vector<std::uint32_t>& strata) const {
-    constexpr Index fewest = 5;  // values of which a distribution can be estimated
-    if (sample.rows.rows() < fewest) return {impossible, std::numeric_limits<double>::infinity()};
-    return log_density(observed, expected_summaries(sample, count, strata, group.features, study_.study().seed));
+    const Compared compared = comparisons_[g].compare(set.samples[g]);
+    set.densities[g] = compared.density;
+    set.distances[g] = compared.distance;
+    set.chances[g] = compared.chance;
   }
 
   static void add_up(SetResult& set) {
@@ -161,13 +134,16 @@ class Calibration {
   [[nodiscard]] double log_likelihood(const SetResult& set, double misfit) const {
     double sum = 0;
     for (std::size_t g = 0; g < set.densities.size(); ++g) {
-      const auto& [value, squared] = set.densities[g];
-      if (!std::isfinite(value)) return impossible;
-      const double widened = value + 0.5 * squared - 0.5 * squared / misfit;
-      sum += options_.likelihood_power * study_.groups()[g].weight * widened;
+      sum += options_.likelihood_power * study_.groups()[g].weight * widened(set.densities[g], misfit);
     }
     return sum;
   }
+
+  static double widened(const LogDensity& density, double misfit) {
+    if (!std::isfinite(density.value)) return impossible;
+    return density.value + 0.5 * density.squared_distance - 0.5 * density.squared_distance / misfit;
+  }
+  [[nodiscard]] double widened(const LogDensity& density) const { return widened(density, result_.misfit); }
 
   /// The factor by which variances of summaries are increased, so that the nearest set agrees; 1: one does.
   [[nodiscard]] double misfit() const {
@@ -178,7 +154,7 @@ class Calibration {
       least = std::min(least, squared);
     }
     double summaries = 0;
-    for (const Eigen::VectorXd& each : summaries_) summaries += static_cast<double>(each.size());
+    for (const GroupComparison& each : comparisons_) summaries += static_cast<double>(each.summary_count());
     constexpr double improbable = 0.99;
     const double most = boost::math::quantile(boost::math::chi_squared(summaries), improbable);
     return least > most && std::isfinite(least) ? least / summaries : 1;
@@ -191,6 +167,7 @@ class Calibration {
       if (result_.sets[k].score < result_.sets[result_.best].score) result_.best = k;
     }
     result_.effective_sets = effective_size(weights);
+    result_.thresholds = result_.sets[result_.best].chances;
   }
 
   void hold_out() {
@@ -201,80 +178,82 @@ class Calibration {
     }
   }
 
-  /// The fold of each row of a group, by a random permutation: folds differ in size by one at most.
+  /// The fold of each rock of a group, by a random permutation: folds differ by one rock at most.
   [[nodiscard]] std::pair<std::vector<Index>, std::vector<Index>> split(std::size_t g, std::int64_t fold) const {
-    const auto n = static_cast<std::uint64_t>(study_.groups()[g].sample.rows.rows());
+    const std::vector<Index> first = study_.groups()[g].sample.first_rows();
+    const std::uint64_t n = first.size() - 1;
     const auto key = philox(study_.study().seed, g, static_cast<std::uint32_t>(fold_stream), 0);
-    std::pair<std::vector<Index>, std::vector<Index>> parts;  // learned from, held out
-    for (std::uint64_t row = 0; row < n; ++row) {
-      const auto own = static_cast<std::int64_t>(permuted(row, n, {key[0], key[1]})) % study_.study().folds;
-      (own == fold ? parts.second : parts.first).push_back(static_cast<Index>(row));
+    std::pair<std::vector<Index>, std::vector<Index>> parts;  // rows learned from, held out
+    for (std::uint64_t rock = 0; rock < n; ++rock) {
+      const auto own = static_cast<std::int64_t>(permuted(rock, n, {key[0], key[1]})) % study_.study().folds;
+      for (Index row = first[rock]; row < first[rock + 1]; ++row)
+        (own == fold ? parts.second : parts.first).push_back(row);
     }
     return parts;
   }
 
   void hold_out_fold(std::int64_t fold) {
     stop_point();
-    std::vector<Part> learned, predicted;
-    std::vector<Eigen::VectorXd> summaries;
+    std::vector<Sample> learned, predicted;
     for (std::size_t g = 0; g < study_.groups().size(); ++g) {
       const auto [train, test] = split(g, fold);
-      learned.push_back(part_of(study_.groups()[g], train));
-      predicted.push_back(part_of(study_.groups()[g], test));
-      summaries.push_back(train.empty() ? Eigen::VectorXd() : summaries_of(learned.back().rows));
+      learned.push_back(study_.groups()[g].sample.part(train));
+      predicted.push_back(study_.groups()[g].sample.part(test));
     }
     std::vector<double> likelihoods(result_.sets.size(), 0);
     tbb::parallel_for(std::size_t{0}, result_.sets.size(), [&](std::size_t k) {
       for (std::size_t g = 0; g < study_.groups().size(); ++g) {
-        const ObservedGroup& group = study_.groups()[g];
-        const auto count = static_cast<std::size_t>(learned[g].rows.rows());
-        if (count == 0) continue;
-        const LogDensity density =
-            density_of(group, result_.sets[k].samples[g], summaries[g], count, learned[g].strata);
-        likelihoods[k] += group.weight * (density.value + 0.5 * density.squared_distance -
-                                          0.5 * density.squared_distance / result_.misfit);
-        if (!std::isfinite(density.value)) likelihoods[k] = impossible;
+        if (learned[g].rows.rows() == 0) continue;
+        const LogDensity density = comparisons_[g].density(result_.sets[k].samples[g], learned[g]);
+        likelihoods[k] += study_.groups()[g].weight * widened(density);
       }
     });
-    std::vector<const MatrixXd*> constant;
-    for (const Part& part : learned) constant.push_back(part.rows.rows() > 0 ? &part.rows : nullptr);
+    std::vector<std::optional<Sample>> constant;
+    for (Sample& part : learned) {
+      part.strata.clear();  // other rocks of the same release may not be there
+      constant.push_back(part.rows.rows() > 0 ? std::optional(std::move(part)) : std::nullopt);
+    }
     score_prediction(fmt::format("fold {}", fold + 1), likelihoods, predicted, constant);
   }
 
   void hold_out_site(std::size_t site) {
-    std::vector<Part> predicted;
-    std::vector<MatrixXd> others(study_.groups().size());
-    std::vector<const MatrixXd*> constant;
-    for (std::size_t g = 0; g < study_.groups().size(); ++g) {
-      const ObservedGroup& group = study_.groups()[g];
-      predicted.push_back(group.site == site ? Part{group.sample.rows, group.sample.strata} : Part{});
-      for (const ObservedGroup& other : study_.groups()) {
-        if (other.site == site || other.kind != group.kind || other.features.size() != group.features.size()) continue;
-        MatrixXd joined(others[g].rows() + other.sample.rows.rows(), other.sample.rows.cols());
-        if (others[g].rows() > 0) joined.topRows(others[g].rows()) = others[g];
-        joined.bottomRows(other.sample.rows.rows()) = other.sample.rows;
-        others[g] = std::move(joined);
-      }
+    std::vector<Sample> predicted;
+    std::vector<std::optional<Sample>> constant;
+    for (const ObservedGroup& group : study_.groups()) {
+      predicted.push_back(group.site == site ? group.sample : group.sample.part({}));
+      constant.push_back(observed_elsewhere(group));
     }
-    for (const MatrixXd& each : others) constant.push_back(each.rows() > 0 ? &each : nullptr);
     std::vector<double> likelihoods;
     for (const SetResult& set : result_.sets) {
       double sum = 0;
       for (std::size_t g = 0; g < set.densities.size(); ++g) {
-        const auto& [value, squared] = set.densities[g];
-        if (study_.groups()[g].site == site) continue;
-        sum += std::isfinite(value)
-                   ? study_.groups()[g].weight * (value + 0.5 * squared - 0.5 * squared / result_.misfit)
-                   : impossible;
+        if (study_.groups()[g].site != site) sum += study_.groups()[g].weight * widened(set.densities[g]);
       }
       likelihoods.push_back(sum);
     }
     score_prediction(study_.study().sites[site].name, likelihoods, predicted, constant);
   }
 
-  void score_prediction(std::string name, const std::vector<double>& likelihoods, const std::vector<Part>& predicted,
-                        const std::vector<const MatrixXd*>& constant) {
-    constexpr std::size_t rows = 1000;  // of a mixture
+  /// The same quantities observed at other sites. Zones are never the same.
+  [[nodiscard]] std::optional<Sample> observed_elsewhere(const ObservedGroup& group) const {
+    std::vector<Eigen::VectorXd> rows;
+    for (const ObservedGroup& other : study_.groups()) {
+      if (other.site == group.site || other.kind != group.kind || other.kind == ObservationKind::zones ||
+          other.features.size() != group.features.size()) {
+        continue;
+      }
+      for (Index row = 0; row < other.sample.rows.rows(); ++row) rows.emplace_back(other.sample.rows.row(row));
+    }
+    if (rows.empty()) return std::nullopt;
+    Sample joined;
+    joined.rows.resize(static_cast<Index>(rows.size()), group.sample.rows.cols());
+    for (std::size_t k = 0; k < rows.size(); ++k) joined.rows.row(static_cast<Index>(k)) = rows[k].transpose();
+    return joined;
+  }
+
+  void score_prediction(std::string name, const std::vector<double>& likelihoods, const std::vector<Sample>& predicted,
+                        const std::vector<std::optional<Sample>>& constant) {
+    constexpr std::size_t rows = 1000, of_release = 200;  // of a mixture, and of each release at least
     const std::vector<double> posterior = sampler_.weights(likelihoods);
     const std::vector<double> prior = sampler_.weights(std::vector<double>(result_.sets.size(), 0));
     HeldOut held;
@@ -284,17 +263,18 @@ class Calibration {
       const auto count = static_cast<double>(predicted[g].rows.rows());
       if (count == 0) continue;
       held.observations += static_cast<std::size_t>(count);
-      const auto score = [&](const MatrixXd& forecast) {
-        return count * comparisons_[g].score(forecast, predicted[g].rows);
-      };
-      const MatrixXd forecast = mixture_of(result_.sets, posterior, g, rows);
-      held.posterior += score(forecast);
-      for (Index f = 0; f < forecast.cols(); ++f) {
-        held.features.push_back({study_.groups()[g].name, study_.groups()[g].features[static_cast<std::size_t>(f)],
-                                 moments_of(predicted[g].rows.col(f)), moments_of(forecast.col(f))});
+      const auto score = [&](const Sample& forecast) { return count * comparisons_[g].score(forecast, predicted[g]); };
+      std::vector<std::size_t> wanted = rows_like(predicted[g], rows);
+      const Sample shown = mixture_of(result_.sets, posterior, g, wanted);
+      for (std::size_t f = 0; f < study_.groups()[g].features.size(); ++f) {
+        const auto column = static_cast<Index>(f);
+        held.features.push_back({study_.groups()[g].name, study_.groups()[g].features[f],
+                                 moments_of(predicted[g].rows.col(column)), moments_of(shown.rows.col(column))});
       }
-      held.prior += score(mixture_of(result_.sets, prior, g, rows));
-      if (constant[g] == nullptr) continue;
+      for (std::size_t& each : wanted) each = each > 0 ? std::max(each, of_release) : 0;
+      held.posterior += score(mixture_of(result_.sets, posterior, g, wanted));
+      held.prior += score(mixture_of(result_.sets, prior, g, wanted));
+      if (!constant[g]) continue;
       held.constant = held.constant.value_or(0) + score(*constant[g]);
       with_constant += count;
     }
@@ -309,8 +289,7 @@ class Calibration {
   const CalibrationOptions& options_;
   Sampler sampler_;
   bool keeps_marks_ = false;
-  std::vector<Comparison> comparisons_;     // by group
-  std::vector<Eigen::VectorXd> summaries_;  // of the observations, by group
+  std::vector<GroupComparison> comparisons_;  // by group
   CalibrationResult result_;
 };
 
@@ -320,35 +299,55 @@ CalibrationResult calibrate(const PreparedStudy& study, const CalibrationOptions
   return Calibration(study, options).calibrate();
 }
 
-bool agrees(const SetResult& set, const CalibrationResult& result) {
+bool agrees(const SetResult& set) {
   for (std::size_t g = 0; g < set.distances.size(); ++g) {
-    if (set.distances[g] > result.thresholds[g]) return false;
+    if (set.distances[g] > set.chances[g]) return false;
   }
   return true;
 }
 
-MatrixXd mixture_of(const std::vector<SetResult>& sets, std::span<const double> weights, std::size_t group,
-                    std::size_t count) {
-  // Systematic resampling: row i is from the set at the share (i + 1/2) / count of the cumulated weights, and the rows
-  // of a set are taken in turn.
-  std::vector<std::pair<std::size_t, Index>> chosen;
-  double below = 0, all = 0;
-  for (std::size_t k = 0; k < sets.size(); ++k) {
-    if (sets[k].samples[group].rows.rows() > 0) all += weights[k];
-  }
+std::vector<std::size_t> rows_like(const Sample& observed, std::size_t count) {
+  std::vector<std::size_t> rows(observed.stratum_count(), 0);
+  const auto n = static_cast<std::size_t>(observed.rows.rows());
+  if (!observed.has_strata()) return {count};
+  for (const std::uint32_t stratum : observed.strata) ++rows[stratum];
+  for (std::size_t& each : rows) each = (each * count + n - 1) / n;
+  return rows;
+}
+
+Sample mixture_of(const std::vector<SetResult>& sets, std::span<const double> weights, std::size_t group,
+                  const std::vector<std::size_t>& of_stratum) {
+  // Systematic resampling: row i of a stratum is from the set at the share (i + 1/2) / count of the cumulated weights,
+  // and the rows of a set are taken in turn.
   constexpr std::uint64_t step = 7919;  // a prime: rocks of a set are spread over its seeders
-  for (std::size_t k = 0; k < sets.size(); ++k) {
-    const Index rows = sets[k].samples[group].rows.rows();
-    if (rows == 0) continue;
-    below += weights[k] / all;
-    while (chosen.size() < count && (static_cast<double>(chosen.size()) + 0.5) / static_cast<double>(count) <= below) {
-      chosen.emplace_back(k, static_cast<Index>(chosen.size() * step % static_cast<std::uint64_t>(rows)));
+  Sample mixture;
+  std::vector<std::pair<std::size_t, Index>> chosen;
+  for (std::uint32_t stratum = 0; stratum < of_stratum.size(); ++stratum) {
+    const std::size_t count = of_stratum[stratum];
+    if (count == 0) continue;
+    std::vector<std::vector<Index>> rows(sets.size());
+    double below = 0, all = 0;
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      const Sample& sample = sets[k].samples[group];
+      for (Index row = 0; row < sample.rows.rows(); ++row) {
+        if (!sample.has_strata() || sample.strata[static_cast<std::size_t>(row)] == stratum) rows[k].push_back(row);
+      }
+      if (!rows[k].empty()) all += weights[k];
+    }
+    std::size_t drawn = 0;
+    for (std::size_t k = 0; k < sets.size(); ++k) {
+      if (rows[k].empty()) continue;
+      below += weights[k] / all;
+      while (drawn < count && (static_cast<double>(drawn) + 0.5) / static_cast<double>(count) <= below) {
+        chosen.emplace_back(k, rows[k][drawn * step % rows[k].size()]);
+        if (sets[k].samples[group].has_strata()) mixture.strata.push_back(stratum);
+        ++drawn;
+      }
     }
   }
-  MatrixXd mixture(static_cast<Index>(chosen.size()), sets.front().samples[group].rows.cols());
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    mixture.row(static_cast<Index>(i)) = sets[chosen[i].first].samples[group].rows.row(chosen[i].second);
-  }
+  mixture.rows.resize(static_cast<Index>(chosen.size()), sets.front().samples[group].rows.cols());
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    mixture.rows.row(static_cast<Index>(i)) = sets[chosen[i].first].samples[group].rows.row(chosen[i].second);
   return mixture;
 }
 

@@ -76,7 +76,8 @@ struct SetResult {
   study::ParameterSet values;
   std::vector<Sample> samples;        // by group
   std::vector<LogDensity> densities;  // by group; without weights
-  std::vector<double> distances;      // by group: energy distance over the observed spread
+  std::vector<double> distances;      // by group: energy distance over the observed spread (group_comparison.hpp)
+  std::vector<double> chances;        // by group: the distance that chance alone gives at most, in 95 %
   double log_likelihood = 0;          // -infinity: a line that no rock reaches
   double score = 0;                   // mean distance over groups
   double weight = 0;                  // in the posterior; all add up to 1
@@ -105,7 +106,7 @@ struct HeldOut {
 
 struct CalibrationResult {
   std::vector<SetResult> sets;     // in the order of their draws
-  std::vector<double> thresholds;  // by group: the distance that 95 % of resamples of the observations have at most
+  std::vector<double> thresholds;  // by group: the distance that chance alone gives the best set at most, in 95 %
   std::size_t best = 0;            // the set of least score
   double effective_sets = 0;       // of the posterior
   /// Factor by which the variances of summaries were increased because no set reproduces the observations; 1: none.
@@ -129,11 +130,13 @@ struct CalibrationOptions {
 /// Throws Stopped at the request of the thread's StopScope.
 [[nodiscard]] CalibrationResult calibrate(const PreparedStudy& study, const CalibrationOptions& options = {});
 
-/// The sets whose score is below the thresholds of all groups.
-[[nodiscard]] bool agrees(const SetResult& set, const CalibrationResult& result);
+/// Whether all distances of a set are such as chance alone gives.
+[[nodiscard]] bool agrees(const SetResult& set);
 
-/// Simulated values of a group's features under several sets with these weights: `count` rows, drawn evenly.
-[[nodiscard]] Eigen::MatrixXd mixture_of(const std::vector<SetResult>& sets, std::span<const double> weights,
-                                         std::size_t group, std::size_t count);
+/// Simulated rows of a group under several sets with these weights, drawn evenly: so many of each stratum.
+[[nodiscard]] Sample mixture_of(const std::vector<SetResult>& sets, std::span<const double> weights, std::size_t group,
+                                const std::vector<std::size_t>& of_stratum);
+/// So many rows, divided among the strata as the observed ones are.
+[[nodiscard]] std::vector<std::size_t> rows_like(const Sample& observed, std::size_t count);
 
 }  // namespace talus::calibration

@@ -70,20 +70,46 @@ double Comparison::score(const Eigen::MatrixXd& simulated, const Eigen::MatrixXd
   return sum;
 }
 
-double Comparison::distance_by_chance(double q, std::uint64_t seed) const {
+double Comparison::distance_by_chance(double q, std::uint64_t seed, const std::vector<Eigen::Index>& first_rows) const {
   constexpr int resamples = 400;
   std::vector<double> distances;
-  Eigen::MatrixXd resample(observed_.rows(), observed_.cols());
-  const auto n = static_cast<double>(observed_.rows());
+  const std::size_t rocks = first_rows.size() - 1;
   for (int k = 0; k < resamples; ++k) {
-    for (Eigen::Index i = 0; i < observed_.rows(); ++i) {
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < rocks; ++i) {
       const double u = uniform_pair(seed, static_cast<std::uint64_t>(k), resampling, static_cast<std::uint32_t>(i))[0];
-      resample.row(i) = observed_.row(std::min(static_cast<Eigen::Index>(u * n), observed_.rows() - 1));
+      const std::size_t rock = std::min(static_cast<std::size_t>(u * static_cast<double>(rocks)), rocks - 1);
+      for (Eigen::Index row = first_rows[rock]; row < first_rows[rock + 1]; ++row) rows.push_back(row);
     }
-    distances.push_back(distance(resample));
+    distances.push_back(distance(observed_(rows, Eigen::all)));
   }
   std::sort(distances.begin(), distances.end());
   return distances[static_cast<std::size_t>(q * (resamples - 1))];
+}
+
+OwnScores Comparison::own_scores(const Eigen::MatrixXd& simulated) const {
+  const auto n = static_cast<double>(simulated.rows());
+  std::vector<double> scores(static_cast<std::size_t>(simulated.rows()), 0);
+  double spread = 0;
+  if (in_plane_) {
+    const PlaneSample sample(points(simulated));
+    for (std::size_t k = 0; k < scores.size(); ++k) scores[k] = energy_score(sample, sample.points()[k]);
+    spread = sample.spread();
+  } else {
+    for (std::size_t f = 0; f < lines_.size(); ++f) {
+      const std::vector<double> values = line(simulated, static_cast<Eigen::Index>(f));
+      const LineSample sample(values);
+      for (std::size_t k = 0; k < scores.size(); ++k)
+        scores[k] += crps(sample, values[k]) / static_cast<double>(lines_.size());
+      spread += sample.spread() / static_cast<double>(lines_.size());
+    }
+  }
+  OwnScores own;
+  for (const double score : scores) own.mean += score / n;
+  for (const double score : scores) own.variance += (score - own.mean) * (score - own.mean) / (n - 1);
+  // A rock of the sample is nearer to it, by itself, than another rock would be.
+  own.mean += spread / (n - 1);
+  return own;
 }
 
 }  // namespace talus::calibration

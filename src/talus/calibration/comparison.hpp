@@ -7,10 +7,15 @@
 
 #include <Eigen/Dense>
 
-#include "talus/calibration/observations.hpp"
+#include "talus/core/vec.hpp"
 #include "talus/statistics/proper_scores.hpp"
 
 namespace talus::calibration {
+
+/// The energy score of a rock in the distribution that it was drawn from.
+struct OwnScores {
+  double mean = 0, variance = 0;
+};
 
 /// Compares samples with observations by proper scores, over the observed spread of each feature: the energy distance
 /// and the energy score in the plane for stops in 3D, and the mean over features of the same on a line otherwise.
@@ -23,8 +28,12 @@ class Comparison {
   [[nodiscard]] double distance(const Eigen::MatrixXd& simulated) const;
   /// Mean energy score of these observations in the forecast `simulated`, over the same spread.
   [[nodiscard]] double score(const Eigen::MatrixXd& simulated, const Eigen::MatrixXd& observations) const;
-  /// The distance that a share `q` of resamples of the observations, of as many rows, have at most.
-  [[nodiscard]] double distance_by_chance(double q, std::uint64_t seed) const;
+  /// The distance that a share `q` of resamples of the observed rocks, of as many rocks, have at most. `first_rows`: of
+  /// each rock, and the number of rows.
+  [[nodiscard]] double distance_by_chance(double q, std::uint64_t seed,
+                                          const std::vector<Eigen::Index>& first_rows) const;
+  /// Of rocks of the same distribution. Expects two rows or more.
+  [[nodiscard]] OwnScores own_scores(const Eigen::MatrixXd& simulated) const;
 
  private:
   [[nodiscard]] std::vector<Vec2> points(const Eigen::MatrixXd& rows) const;

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string_view>
+
+#include "talus/calibration/reach.hpp"
+#include "talus/calibration/touched_ground.hpp"
 
 namespace talus::calibration {
 
@@ -23,43 +26,11 @@ class Doubts {
   }
 
   void of_reach() {
-    const bool any = std::ranges::any_of(result_.sets, [&](const SetResult& set) { return agrees(set, result_); });
-    bool explained = false;
-    for (std::size_t g = 0; g < study_.groups().size(); ++g) {
-      const ObservedGroup& group = study_.groups()[g];
-      for (Eigen::Index f = 0; f < group.sample.rows.cols(); ++f) {
-        double most = -std::numeric_limits<double>::infinity(), least = -most;
-        for (const SetResult& set : result_.sets) {
-          if (set.samples[g].rows.rows() == 0) continue;
-          most = std::max(most, set.samples[g].rows.col(f).maxCoeff());
-          least = std::min(least, set.samples[g].rows.col(f).minCoeff());
-        }
-        const Feature& feature = group.features[static_cast<std::size_t>(f)];
-        if (!std::isfinite(most)) {
-          warn(group.name, "no set brings a rock to this line", "its observations say nothing about the parameters",
-               "Widen the ranges, or check the line");
-          explained = true;
-          break;
-        }
-        const double observed_most = group.sample.rows.col(f).maxCoeff();
-        const double observed_least = group.sample.rows.col(f).minCoeff();
-        if (observed_most > most) {
-          warn(group.name,
-               fmt::format("no parameters within the ranges give a {} of more than {:.4g} {}; observed {:.4g} {}",
-                           feature.name, most, feature.unit, observed_most, feature.unit),
-               "", "Widen the ranges, or let other parameters vary");
-          explained = true;
-        }
-        if (observed_least < least) {
-          warn(group.name,
-               fmt::format("no parameters within the ranges give a {} of less than {:.4g} {}; observed {:.4g} {}",
-                           feature.name, least, feature.unit, observed_least, feature.unit),
-               "", "Widen the ranges, or let other parameters vary");
-          explained = true;
-        }
-      }
-    }
-    if (!any && !explained) {
+    const bool any = std::ranges::any_of(result_.sets, [](const SetResult& set) { return agrees(set); });
+    const std::vector<Unreached> out_of_reach = unreached(study_, result_.sets);
+    for (const Unreached& each : out_of_reach)
+      warn(each.where, each.what, "", "Widen the ranges, or let other parameters vary");
+    if (!any && out_of_reach.empty()) {
       warn("", "no set agrees with the observations", "all scores are above what chance alone gives",
            "Let other parameters vary, or compare another model");
     }
@@ -69,6 +40,15 @@ class Doubts {
                        std::sqrt(result_.misfit)),
            "Compare the observed and predicted distributions in the report");
     }
+  }
+
+  /// `the ground "Scree"` of material.Scree.roughness_deg; empty for other parameters.
+  static std::string material_of(const std::string& name) {
+    constexpr std::string_view table = "material.";
+    const std::size_t end = name.rfind('.');
+    if (!name.starts_with(table) || end <= table.size()) return "";
+    const std::string material = name.substr(table.size(), name.find('.', table.size()) - table.size());
+    return material == "*" ? "" : fmt::format("the ground \"{}\"", material);
   }
 
   void of_parameters() {
@@ -95,18 +75,68 @@ class Doubts {
   }
 
   /// Compares the scores of the even and the odd rocks of the best set.
-  void of_seed(const std::vector<Comparison>& comparisons) {
+  void of_seed(const std::vector<GroupComparison>& comparisons) {
     const SetResult& best = result_.sets[result_.best];
     for (std::size_t g = 0; g < comparisons.size(); ++g) {
-      const Eigen::MatrixXd& rows = best.samples[g].rows;
-      if (rows.rows() < 4) continue;
-      Eigen::MatrixXd even((rows.rows() + 1) / 2, rows.cols()), odd(rows.rows() / 2, rows.cols());
-      for (Eigen::Index k = 0; k < rows.rows(); ++k) (k % 2 == 0 ? even : odd).row(k / 2) = rows.row(k);
-      const double change = std::abs(comparisons[g].distance(even) - comparisons[g].distance(odd));
-      if (change <= result_.thresholds[g]) continue;
+      const std::vector<Eigen::Index> first = best.samples[g].first_rows();
+      if (first.size() <= 4) continue;
+      std::vector<Eigen::Index> even, odd;
+      for (std::size_t rock = 0; rock + 1 < first.size(); ++rock) {
+        for (Eigen::Index row = first[rock]; row < first[rock + 1]; ++row) (rock % 2 == 0 ? even : odd).push_back(row);
+      }
+      const double change = std::abs(comparisons[g].distance(best.samples[g].part(even)) -
+                                     comparisons[g].distance(best.samples[g].part(odd)));
+      // (Of releases, the distance is a mean score, whose least value is not 0.)
+      const double by_chance = study_.groups()[g].sample.has_strata()
+                                   ? std::max(best.chances[g] - best.distances[g], 0.1 * best.chances[g])
+                                   : best.chances[g];
+      if (change <= by_chance) continue;
       warn(study_.groups()[g].name,
            fmt::format("the score of the best set changes by {:.2g} from one half of its rocks to the other", change),
-           fmt::format("chance alone gives the observations {:.2g}", result_.thresholds[g]), "Increase rocks");
+           fmt::format("chance alone gives the observations {:.2g}", by_chance), "Increase rocks");
+    }
+  }
+
+  void of_dependence() {
+    constexpr double few = 0.02;
+    const std::vector<Dependence> dependences = dependence(study_, result_.sets[result_.best].values);
+    for (std::size_t k = 0; k < dependences.size(); ++k) {
+      const Dependence& each = dependences[k];
+      const std::string where = fmt::format("parameter \"{}\"", study_.parameters()[k].name);
+      const std::string ground = material_of(study_.parameters()[k].name);
+      if (static_cast<double>(each.rocks) < few * static_cast<double>(each.all)) {
+        warn(where, fmt::format("{} of {} rocks of the best set depend on it", each.rocks, each.all),
+             ground.empty() ? "" : fmt::format("hardly any rock touches {}", ground),
+             "Observe rocks that do, or leave it out");
+      } else if (static_cast<double>(each.near) < few * static_cast<double>(each.all_near)) {
+        warn(where,
+             fmt::format("{} of the {} simulated rocks that come nearest to the observed ones depend on it", each.near,
+                         each.all_near),
+             ground.empty() ? "" : fmt::format("it seems that no observed rock touched {}", ground),
+             "Its values follow from rocks that were not observed; observe some there, or leave it out");
+      }
+    }
+  }
+
+  /// What the zones leave out.
+  void of_zones() {
+    for (const ObservedGroup& group : study_.groups()) {
+      if (group.kind != ObservationKind::zones || group.zones.has_elsewhere) continue;
+      const auto outcome = best_outcome(group.site);
+      double all = 0, within = 0;
+      for (const study::RockEnd& end : outcome.ends) {
+        const double own = group.zones.amount_of(end);
+        all += own;
+        if (end.reason != EndReason::left_model && group.zones.of(end.end.head<2>()) < group.zones.list.size()) {
+          within += own;
+        }
+      }
+      constexpr double little = 0.9;
+      if (within >= little * all) continue;
+      warn(group.name,
+           fmt::format("the zones hold {:.0f} % of what comes to rest with the best set", 100 * within / all),
+           "the rest is not compared, since it is not known how much was released",
+           "Write released = the volume or count of all rocks, if it is known");
     }
   }
 
@@ -126,6 +156,11 @@ class Doubts {
   }
 
  private:
+  [[nodiscard]] study::SetOutcome best_outcome(std::size_t site) const {
+    const auto& here = study_.at_site(site);
+    return study_.sites()[site].run(here.numbers, here.values(result_.sets[result_.best].values));
+  }
+
   const PreparedStudy& study_;
   CalibrationResult& result_;
 };
@@ -149,12 +184,15 @@ Learned learned_about(std::size_t parameter, const PreparedStudy& study, const C
   return learned;
 }
 
-void add_doubts(const PreparedStudy& study, const std::vector<Comparison>& comparisons, CalibrationResult& result) {
+void add_doubts(const PreparedStudy& study, const std::vector<GroupComparison>& comparisons,
+                CalibrationResult& result) {
   Doubts doubts(study, result);
   doubts.of_reach();
   doubts.of_parameters();
   doubts.of_effort();
   doubts.of_seed(comparisons);
+  doubts.of_dependence();
+  doubts.of_zones();
   doubts.of_ends();
 }
 

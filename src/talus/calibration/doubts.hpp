@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "talus/calibration/calibrate.hpp"
-#include "talus/calibration/comparison.hpp"
+#include "talus/calibration/group_comparison.hpp"
 
 namespace talus::calibration {
 
@@ -17,6 +17,6 @@ struct Learned {
 [[nodiscard]] Learned learned_about(std::size_t parameter, const PreparedStudy& study, const CalibrationResult& result);
 
 /// Adds all warnings to the result.
-void add_doubts(const PreparedStudy& study, const std::vector<Comparison>& comparisons, CalibrationResult& result);
+void add_doubts(const PreparedStudy& study, const std::vector<GroupComparison>& comparisons, CalibrationResult& result);
 
 }  // namespace talus::calibration

@@ -15,9 +15,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int resamples = 300;
+constexpr std::uint32_t resamples = 300;
 constexpr Index least_for_spread = 2, least_for_median = 8;
-enum class ResampleDraw : std::uint32_t { choice = 1100, error = 1101 };
+constexpr auto error_of_observation = static_cast<Stream>(1101);
 
 double median_of(VectorXd values) {
   const Index half = values.size() / 2;
@@ -26,10 +26,31 @@ double median_of(VectorXd values) {
   return (values[half] + *std::max_element(values.begin(), values.begin() + half)) / 2;
 }
 
+/// The sum of squares and products about the mean.
+MatrixXd scatter_of(const MatrixXd& rows) {
+  const MatrixXd off = rows.rowwise() - rows.colwise().mean();
+  return off.transpose() * off;
+}
+
+/// Of a single rock of a release.
+ExpectedSummaries expected_place(const MatrixXd& simulated, const MatrixXd& pooled,
+                                 const std::vector<Feature>& features) {
+  constexpr double pooled_rocks = 5;  // so much the covariance of all releases counts
+  const auto n = static_cast<double>(simulated.rows());
+  ExpectedSummaries expected;
+  expected.mean = simulated.colwise().mean().transpose();
+  expected.covariance = (scatter_of(simulated) + pooled_rocks * pooled) / (n - 1 + pooled_rocks) * (1 + 1 / n);
+  for (std::size_t f = 0; f < features.size(); ++f) {
+    const auto at = static_cast<Index>(f);
+    expected.covariance(at, at) += features[f].accuracy * features[f].accuracy;
+  }
+  return expected;
+}
+
 }  // namespace
 
-VectorXd summaries_of(const MatrixXd& rows) {
-  const Index n = rows.rows(), features = rows.cols();
+VectorXd summaries_of(const MatrixXd& rows, std::optional<Index> as_of) {
+  const Index features = rows.cols(), n = as_of.value_or(rows.rows());
   const Index kinds = 1 + (n >= least_for_spread ? 1 : 0) + (n >= least_for_median ? 1 : 0);
   VectorXd summaries(kinds * features);
   for (Index f = 0; f < features; ++f) {
@@ -38,7 +59,8 @@ VectorXd summaries_of(const MatrixXd& rows) {
     summaries[f] = mean;
     if (n >= least_for_spread) {
       constexpr double least_variance = 1e-18;
-      const double variance = (column.array() - mean).square().sum() / static_cast<double>(n - 1);
+      const double variance =
+          (column.array() - mean).square().sum() / static_cast<double>(std::max<Index>(rows.rows() - 1, 1));
       summaries[features + f] = 0.5 * std::log(std::max(variance, least_variance));
     }
     if (n >= least_for_median) summaries[2 * features + f] = median_of(column) - mean;
@@ -46,47 +68,30 @@ VectorXd summaries_of(const MatrixXd& rows) {
   return summaries;
 }
 
-ExpectedSummaries expected_summaries(const Sample& simulated, std::size_t count,
-                                     const std::vector<std::uint32_t>& strata, const std::vector<Feature>& features,
+ExpectedSummaries expected_summaries(const Sample& simulated, const Sample& like, const std::vector<Feature>& features,
                                      std::uint64_t seed) {
-  const auto n = static_cast<Index>(count);
+  const Redraw redraw(simulated, like);
+  TALUS_PROMISE(redraw.has_at_least(1), "every observed release is simulated");
   const auto columns = static_cast<Index>(features.size());
-  std::vector<std::vector<Index>> of_stratum;
-  if (!strata.empty()) {
-    of_stratum.resize(*std::max_element(strata.begin(), strata.end()) + 1);
-    for (Index row = 0; row < simulated.rows.rows(); ++row) {
-      const std::uint32_t stratum = simulated.strata[static_cast<std::size_t>(row)];
-      if (stratum < of_stratum.size()) of_stratum[stratum].push_back(row);
-    }
-  }
   std::vector<VectorXd> all;
   all.reserve(resamples);
-  MatrixXd resample(n, columns);
-  for (int k = 0; k < resamples; ++k) {
+  std::vector<Index> rows;
+  MatrixXd resample;
+  for (std::uint32_t k = 0; k < resamples; ++k) {
+    redraw.rows(seed, k, rows);
+    const auto n = static_cast<Index>(rows.size());
+    resample.resize(n, columns);
     for (Index i = 0; i < n; ++i) {
       const auto item = static_cast<std::uint64_t>(k) << 32U | static_cast<std::uint64_t>(i);
-      const double choice = uniform_pair(seed, item, static_cast<Stream>(ResampleDraw::choice), 0)[0];
-      const auto pick = [&](std::size_t size) {
-        return std::min(static_cast<std::size_t>(choice * static_cast<double>(size)), size - 1);
-      };
-      Index row = 0;
-      if (strata.empty()) {
-        row = static_cast<Index>(pick(static_cast<std::size_t>(simulated.rows.rows())));
-      } else {
-        const auto& rows = of_stratum[strata[static_cast<std::size_t>(i)]];
-        TALUS_PROMISE(!rows.empty(), "every observed release is simulated");
-        row = rows[pick(rows.size())];
-      }
       for (Index f = 0; f < columns; ++f) {
-        resample(i, f) = simulated.rows(row, f);
+        resample(i, f) = simulated.rows(rows[static_cast<std::size_t>(i)], f);
         const double accuracy = features[static_cast<std::size_t>(f)].accuracy;
         if (accuracy == 0) continue;
-        const auto [a, b] =
-            uniform_pair(seed, item, static_cast<Stream>(ResampleDraw::error), static_cast<std::uint32_t>(f));
+        const auto [a, b] = uniform_pair(seed, item, error_of_observation, static_cast<std::uint32_t>(f));
         resample(i, f) += accuracy * std::sqrt(-2 * std::log(a)) * std::cos(2 * std::numbers::pi * b);
       }
     }
-    all.push_back(summaries_of(resample));
+    all.push_back(summaries_of(resample, like.rows.rows()));
   }
   ExpectedSummaries expected;
   const Index size = all.front().size();
@@ -98,7 +103,8 @@ ExpectedSummaries expected_summaries(const Sample& simulated, std::size_t count,
   }
   // The simulated rocks are a sample, too: their summaries differ from those of infinitely many by as much as summaries
   // of so many rocks vary.
-  expected.covariance *= 1 + static_cast<double>(count) / static_cast<double>(simulated.rows.rows());
+  expected.covariance *=
+      1 + static_cast<double>(redraw.observed_rocks()) / static_cast<double>(redraw.simulated_rocks());
   return expected;
 }
 
@@ -115,6 +121,64 @@ LogDensity log_density(const VectorXd& observed, const ExpectedSummaries& expect
   for (const double d : decomposition.vectorD()) log_determinant += std::log(std::max(d, least_variance));
   density.value = -0.5 * (density.squared_distance + log_determinant +
                           static_cast<double>(observed.size()) * std::log(2 * std::numbers::pi));
+  return density;
+}
+
+LogDensity matched_log_density(const Sample& simulated, const Sample& observed, const std::vector<Feature>& features,
+                               std::uint64_t seed) {
+  const std::uint32_t releases = observed.stratum_count();
+  std::vector<Sample> own;
+  MatrixXd pooled = MatrixXd::Zero(observed.rows.cols(), observed.rows.cols());
+  double freedom = 0;
+  for (std::uint32_t release = 0; release < releases; ++release) {
+    own.push_back(simulated.stratum(release));
+    if (own.back().rows.rows() < 2) continue;
+    pooled += scatter_of(own.back().rows);
+    freedom += static_cast<double>(own.back().rows.rows() - 1);
+  }
+  pooled /= std::max(freedom, 1.0);
+  LogDensity sum;
+  for (std::uint32_t release = 0; release < releases; ++release) {
+    Sample here = observed.stratum(release);
+    if (here.rows.rows() == 0) continue;
+    LogDensity density;
+    if (here.rows.rows() == 1) {
+      density = log_density(here.rows.row(0).transpose(), expected_place(own[release].rows, pooled, features));
+    } else {
+      here.strata.clear();
+      own[release].strata.clear();
+      density = log_density(summaries_of(here.rows), expected_summaries(own[release], here, features, seed));
+    }
+    sum.value += density.value;
+    sum.squared_distance += density.squared_distance;
+  }
+  return sum;
+}
+
+std::size_t matched_summary_count(const Sample& observed) {
+  std::size_t count = 0;
+  for (std::uint32_t release = 0; release < observed.stratum_count(); ++release) {
+    const Sample here = observed.stratum(release);
+    if (here.rows.rows() > 0) count += static_cast<std::size_t>(summaries_of(here.rows).size());
+  }
+  return count;
+}
+
+LogDensity share_log_density(const VectorXd& observed, double observed_rocks, const VectorXd& simulated,
+                             double simulated_rocks) {
+  constexpr double jeffreys = 0.5;
+  const auto log_probability = [&](const VectorXd& shares) {
+    const double all = simulated_rocks + jeffreys * static_cast<double>(shares.size());
+    double sum = std::lgamma(all) - std::lgamma(all + observed_rocks) + std::lgamma(observed_rocks + 1);
+    for (Index k = 0; k < shares.size(); ++k) {
+      const double prior = simulated_rocks * shares[k] + jeffreys, count = observed_rocks * observed[k];
+      sum += std::lgamma(prior + count) - std::lgamma(prior) - std::lgamma(count + 1);
+    }
+    return sum;
+  };
+  LogDensity density;
+  density.value = log_probability(simulated);
+  density.squared_distance = std::max(0.0, 2 * (log_probability(observed) - density.value));
   return density;
 }
 

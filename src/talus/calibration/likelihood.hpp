@@ -8,10 +8,13 @@
 // of observations, and not from a threshold.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Dense>
+
+#include "talus/calibration/redraw.hpp"
 
 namespace talus::calibration {
 
@@ -22,15 +25,9 @@ struct Feature {
   double accuracy = 0;  // standard deviation of the errors of its observation
 };
 
-/// Rocks by row, features by column.
-struct Sample {
-  Eigen::MatrixXd rows;
-  std::vector<std::uint32_t> strata{};  // of each row; empty: all the same
-};
-
 /// Means of all features, then logarithms of their standard deviations (two rows or more), then distances of their
-/// medians from their means (eight or more).
-[[nodiscard]] Eigen::VectorXd summaries_of(const Eigen::MatrixXd& rows);
+/// medians from their means (eight or more). `as_of`: those that as many rows would have.
+[[nodiscard]] Eigen::VectorXd summaries_of(const Eigen::MatrixXd& rows, std::optional<Eigen::Index> as_of = {});
 
 /// The distribution of summaries.
 struct ExpectedSummaries {
@@ -38,12 +35,10 @@ struct ExpectedSummaries {
   Eigen::MatrixXd covariance;
 };
 
-/// Of `count` rows drawn with replacement from the simulated ones, with errors of observation; with strata, row i is
-/// drawn from the simulated rows of stratum `strata[i]`, which must not be empty, and count is their number. The same
-/// `seed` draws the same numbers for every sample. Includes the variance of the simulation itself, which has so many
-/// rows and no more.
-[[nodiscard]] ExpectedSummaries expected_summaries(const Sample& simulated, std::size_t count,
-                                                   const std::vector<std::uint32_t>& strata,
+/// Of simulated rocks that are observed as `like` (redraw.hpp), with errors of observation. Expects at least one
+/// simulated rock of each release. The same `seed` draws the same numbers for every sample. Includes the variance of
+/// the simulation itself, which has so many rocks and no more.
+[[nodiscard]] ExpectedSummaries expected_summaries(const Sample& simulated, const Sample& like,
                                                    const std::vector<Feature>& features, std::uint64_t seed);
 
 /// Of these summaries, normally distributed: the density's logarithm, and the squared distance from the mean in
@@ -53,5 +48,21 @@ struct LogDensity {
   double squared_distance = 0;
 };
 [[nodiscard]] LogDensity log_density(const Eigen::VectorXd& observed, const ExpectedSummaries& expected);
+
+/// Of observed rocks, each in the distribution of its own release: the sum over releases, which are independent of each
+/// other. The summaries of a release are those of its observed rocks; of a single one, its place itself, whose
+/// covariance is drawn towards that of all releases where few rocks were simulated. Expects two simulated rocks or more
+/// of each release.
+[[nodiscard]] LogDensity matched_log_density(const Sample& simulated, const Sample& observed,
+                                             const std::vector<Feature>& features, std::uint64_t seed);
+/// How many summaries it has.
+[[nodiscard]] std::size_t matched_summary_count(const Sample& observed);
+
+/// Of observed shares of categories, of so many independent rocks, if the shares of `simulated_rocks` independent ones
+/// are `simulated`: the Dirichlet-multinomial distribution with Jeffreys' prior, that is, counts whose probabilities
+/// are known from the simulation and no better. Numbers of rocks need not be whole. The squared distance is the
+/// deviance: twice by what the logarithm is below that of a simulation with the observed shares.
+[[nodiscard]] LogDensity share_log_density(const Eigen::VectorXd& observed, double observed_rocks,
+                                           const Eigen::VectorXd& simulated, double simulated_rocks);
 
 }  // namespace talus::calibration

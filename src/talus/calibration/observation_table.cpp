@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "talus/core/nearest.hpp"
+#include "talus/files/data_table.hpp"
 #include "talus/files/ordinary_file.hpp"
 
 namespace talus::calibration {
@@ -46,6 +48,31 @@ std::vector<std::string> split(std::string_view line, char separator) {
 
 Problem about_table(const std::string& file, std::string what, std::string why = {}, std::string hint = {}) {
   return {.file = file, .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
+}
+
+bool is_named(const ObservedColumn& column, const std::string& plain) {
+  return plain == plain_column_name(column.name) ||
+         std::ranges::any_of(column.others, [&](std::string_view other) { return plain == plain_column_name(other); });
+}
+
+/// Whether a column's name ends with a unit.
+bool has_unit(std::string_view plain) {
+  for (std::size_t at = plain.find('_'); at != std::string_view::npos; at = plain.find('_', at + 1)) {
+    if (is_unit_of_column(plain.substr(at + 1))) return true;
+  }
+  return false;
+}
+
+/// Whether `plain` is the quantity of a column with a unit, with another unit or none.
+bool is_in_other_unit(const ObservedColumn& column, const std::string& plain) {
+  std::string stem = plain_column_name(column.name);
+  for (std::size_t at = stem.find('_'); at != std::string::npos; at = stem.find('_', at + 1)) {
+    if (!is_unit_of_column(std::string_view(stem).substr(at + 1))) continue;
+    stem.resize(at);
+    return plain == stem ||
+           (plain.starts_with(stem + "_") && is_unit_of_column(std::string_view(plain).substr(at + 1)));
+  }
+  return false;
 }
 
 std::string text_of_table(const std::filesystem::path& file) {
@@ -108,12 +135,44 @@ ObservationTable::ObservationTable(const std::filesystem::path& path) : file_(pa
   if (problems.has_errors()) throw BadInput(std::move(problems));
 }
 
-std::optional<std::size_t> ObservationTable::find(std::initializer_list<std::string_view> names) const {
-  for (const std::string_view name : names) {
-    const auto found = std::ranges::find(columns_, name);
-    if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
+std::optional<std::size_t> ObservationTable::find(const ObservedColumn& column) const {
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (is_named(column, plain_column_name(columns_[k]))) return k;
   }
   return std::nullopt;
+}
+
+void ObservationTable::check_columns(const std::vector<ObservedColumn>& known, Problems& problems,
+                                     Problems& warnings) const {
+  std::vector<std::string_view> names;
+  for (const ObservedColumn& column : known) names.push_back(column.name);
+  for (const std::string& column : columns_) {
+    const std::string plain = plain_column_name(column);
+    if (std::ranges::any_of(known, [&](const ObservedColumn& one) { return is_named(one, plain); })) continue;
+    const auto same =
+        std::ranges::find_if(known, [&](const ObservedColumn& one) { return is_in_other_unit(one, plain); });
+    if (same != known.end()) {
+      Problem problem =
+          about_table(file_, fmt::format("column \"{}\" has {}", column, has_unit(plain) ? "another unit" : "no unit"),
+                      fmt::format("the unit is in the name; expected {}", same->name),
+                      fmt::format("Convert it, and name it {}", same->name));
+      problem.line = 1;
+      problems.add(std::move(problem));
+    } else if (const auto near = nearest(plain, names)) {
+      Problem problem = about_table(file_, fmt::format("column \"{}\" is not read", column), "",
+                                    fmt::format("Did you mean \"{}\"?", *near));
+      problem.line = 1;
+      problem.severity = Severity::warning;
+      warnings.add(std::move(problem));
+    }
+  }
+}
+
+bool ObservationTable::is_in_degrees() const {
+  return std::ranges::any_of(columns_, [](const std::string& column) {
+    const std::string plain = plain_column_name(column);
+    return plain.starts_with("lat") || plain.starts_with("lon") || plain == "lng";
+  });
 }
 
 std::optional<double> ObservationTable::number(std::size_t row, std::size_t column, Problems& problems) const {

@@ -11,6 +11,12 @@
 
 namespace talus::calibration {
 
+/// A column that is read: its name, with its unit, and other names for it.
+struct ObservedColumn {
+  std::string_view name;
+  std::vector<std::string_view> others;
+};
+
 /// A text file with a line of column names. Values are separated by commas, semicolons or tabs, the same in the whole
 /// file, and may be quoted; with semicolons and tabs, numbers may have decimal commas. Empty lines and comments (#) are
 /// skipped.
@@ -21,8 +27,13 @@ class ObservationTable {
 
   [[nodiscard]] std::size_t rows() const { return rows_.size(); }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
-  /// The place of the first of these columns that the file has.
-  [[nodiscard]] std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
+  /// The place of a column; `Mass [kg]` is mass_kg (plain_column_name).
+  [[nodiscard]] std::optional<std::size_t> find(const ObservedColumn& column) const;
+  /// Refuses columns of a quantity that is read, but in another unit or without one; warns of names that were probably
+  /// mistyped. Others are not read.
+  void check_columns(const std::vector<ObservedColumn>& known, Problems& problems, Problems& warnings) const;
+  /// Whether a column is named for a longitude or latitude.
+  [[nodiscard]] bool is_in_degrees() const;
   [[nodiscard]] const std::string& text(std::size_t row, std::size_t column) const { return rows_[row].values[column]; }
   /// The number of a value; nullopt, with a problem, if it is not a finite number.
   [[nodiscard]] std::optional<double> number(std::size_t row, std::size_t column, Problems& problems) const;

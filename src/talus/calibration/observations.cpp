@@ -1,220 +1,119 @@
 #include "talus/calibration/observations.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <set>
+#include <map>
 
 #include "talus/calibration/observation_table.hpp"
+#include "talus/calibration/observed_places.hpp"
 #include "talus/core/nearest.hpp"
-#include "talus/import/vector_file.hpp"
 
 namespace talus::calibration {
 
 namespace {
 
-constexpr std::size_t most_places_reported = 5;
-constexpr double far_off_the_ground = 1;  // [m]
+using Eigen::Index;
 
-bool is_text_table(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending == ".csv" || ending == ".txt" || ending == ".tsv";
+/// By LineValue.
+const std::vector<ObservedColumn> value_columns{
+    {"height_m", {"impact_height_m"}}, {"velocity_m_s", {"speed_m_s"}}, {"energy_kJ", {}}};
+
+/// Puts the rows of one rock next to each other, in the order in which the rocks are first named.
+void group_by_rock(std::vector<ObservedPlace>& places, std::vector<std::uint32_t>& rocks) {
+  std::map<std::string, std::uint32_t> numbers;
+  for (const ObservedPlace& place : places) numbers.try_emplace(place.rock, static_cast<std::uint32_t>(numbers.size()));
+  std::ranges::stable_sort(places, {}, [&](const ObservedPlace& place) { return numbers.at(place.rock); });
+  for (const ObservedPlace& place : places) rocks.push_back(numbers.at(place.rock));
 }
 
-/// Stops as in the file.
-struct ReadStop {
-  Vec3 position = Vec3::Zero();
-  bool has_z = false;
-  std::string release;
-  Problem place;  // of the row, for messages
-};
+void check_rocks(const std::vector<ObservedPlace>& places, const std::string& file) {
+  const auto named = std::ranges::count_if(places, [](const ObservedPlace& place) { return !place.rock.empty(); });
+  if (named == 0 || static_cast<std::size_t>(named) == places.size()) return;
+  throw BadInput(Problem{.file = file,
+                         .what = fmt::format("{} of {} marks have a rock", named, places.size()),
+                         .why = "either all or none",
+                         .hint = "Put marks of unknown rocks into another file"});
+}
 
-class StopReader {
- public:
-  StopReader(const Study& study, const StudyObservations& from, const study::PreparedSite& site, Problems& warnings)
-      : from_(from),
-        site_(site),
-        is_2d_(site.project().is_2d()),
-        file_(study.file.parent_path() / from.file()),
-        warnings_(warnings) {}
-
-  std::vector<ReadStop> read() {
-    std::vector<ReadStop> stops = is_text_table(file_) ? from_table() : from_map();
-    check_places(stops);
-    if (problems_.has_errors()) throw BadInput(std::move(problems_));
-    return stops;
+void check_releases_of_rocks(const std::vector<ObservedPlace>& places) {
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    if (places[k].rock.empty() || places[k].rock != places[k - 1].rock || places[k].release == places[k - 1].release) {
+      continue;
+    }
+    Problem problem = places[k].place;
+    problem.what = fmt::format("rock \"{}\" has the releases \"{}\" and \"{}\"", places[k].rock, places[k - 1].release,
+                               places[k].release);
+    problem.why = "a rock has one";
+    throw BadInput(std::move(problem));
   }
+}
 
-  /// The seeder of each stop, if all name one; empty if none does.
-  std::vector<std::uint32_t> seeders_of(const std::vector<ReadStop>& stops) {
-    std::vector<std::uint32_t> seeders;
-    const auto& known = site_.model().seeders;
-    std::vector<std::string_view> names;
-    for (const Seeder& seeder : known) names.push_back(seeder.name);
-    for (const ReadStop& stop : stops) {
-      if (stop.release.empty()) continue;
-      const auto found = std::ranges::find(names, stop.release);
-      if (found == names.end()) {
-        Problem problem = stop.place;
-        problem.what = fmt::format("there is no seeder \"{}\"", stop.release);
-        problem.why = "the column release names the seeder of the rock";
-        if (const auto near = nearest(stop.release, names)) problem.hint = fmt::format("Did you mean \"{}\"?", *near);
-        problems_.add(std::move(problem));
-        continue;
-      }
-      seeders.push_back(static_cast<std::uint32_t>(found - names.begin()));
-    }
-    if (!seeders.empty() && seeders.size() != stops.size() && !problems_.has_errors()) {
-      problems_.add({.file = file_.string(),
-                     .what = fmt::format("{} of {} rocks have a release", seeders.size(), stops.size()),
-                     .why = "either all or none"});
-    }
-    if (problems_.has_errors()) throw BadInput(std::move(problems_));
-    return seeders;
+void take_places(const Study& study, const StudyObservations& from, const study::PreparedSite& site,
+                 ObservedGroup& group, Problems& warnings) {
+  std::vector<ObservedPlace> places = read_places(study, from, site, warnings);
+  const std::string file = (study.file.parent_path() / from.file()).string();
+  if (group.kind == ObservationKind::marks) {
+    check_rocks(places, file);
+    if (!places.front().rock.empty()) group_by_rock(places, group.sample.rocks);
+    check_releases_of_rocks(places);
   }
-
- private:
-  std::vector<ReadStop> from_table() {
-    const ObservationTable table(file_);
-    const auto x = table.find({"x_m", "x"}), y = table.find({"y_m", "y"}), z = table.find({"z_m", "z"}),
-               release = table.find({"release", "seeder"});
-    if (!x || (!y && !is_2d_)) {
-      throw BadInput(Problem{.file = table.file(),
-                             .line = 1,
-                             .what = fmt::format("there is no column {}", !x ? "x_m" : "y_m"),
-                             .why = fmt::format("the columns are {}", fmt::join(table.columns(), ", ")),
-                             .hint = "Name the columns of the coordinates x_m and y_m, in metres"});
-    }
-    std::vector<ReadStop> stops;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      ReadStop stop;
-      stop.place = table.at(row);
-      stop.has_z = z && !table.text(row, *z).empty();
-      stop.position.x() = table.number(row, *x, problems_).value_or(0);
-      if (!is_2d_) stop.position.y() = table.number(row, *y, problems_).value_or(0);
-      if (stop.has_z) stop.position.z() = table.number(row, *z, problems_).value_or(0);
-      if (release && from_.marks.empty()) stop.release = table.text(row, *release);
-      stops.push_back(std::move(stop));
-    }
-    if (problems_.has_errors()) throw BadInput(std::move(problems_));
-    return stops;
-  }
-
-  std::vector<ReadStop> from_map() {
-    if (is_2d_) {
-      throw BadInput(Problem{.file = file_.string(),
-                             .what = "points of a map cannot be compared with a section",
-                             .why = "expected a CSV file with the column x_m"});
-    }
-    const VectorRequest request{.layer = from_.layer,
-                                .attributes = {},
-                                .kinds = {ShapeKind::point},
-                                .polygons_are_in_space = false,
-                                .heights_are_used = false,
-                                .terrain_crs_wkt = site_.model().crs_wkt};
-    std::vector<ReadStop> stops;
-    for (const VectorFeature& feature : read_vector_file(file_, request, warnings_).features) {
-      for (const VectorShape& part : feature.parts) {
-        ReadStop stop;
-        stop.position = part.lists.front().front();
-        stop.has_z = feature.has_z;
-        stop.place = {.file = file_.string(), .where = fmt::format("feature {}", feature.id)};
-        stops.push_back(std::move(stop));
-      }
-    }
-    return stops;
-  }
-
-  std::optional<double> elevation(const Vec3& at) const {
-    const Vec3 local = site_.model().frame.local_from_global(at);
-    const auto z =
-        std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, site_.model().surface);
-    if (!z) return std::nullopt;
-    return *z + site_.model().frame.origin.z();
-  }
-
-  void check_places(const std::vector<ReadStop>& stops) {
-    std::size_t off = 0, swapped = 0, high = 0;
-    double most = 0;
-    for (const ReadStop& stop : stops) {
-      const auto ground = elevation(stop.position);
-      if (!ground) {
-        if (elevation({stop.position.y(), stop.position.x(), 0})) ++swapped;
-        if (++off > most_places_reported) continue;
-        Problem problem = stop.place;
-        problem.what = is_2d_
-                           ? fmt::format("x = {:.10g} is off the terrain", stop.position.x())
-                           : fmt::format("({:.10g}, {:.10g}) is off the terrain", stop.position.x(), stop.position.y());
-        problem.why = extent();
-        problems_.add(std::move(problem));
-      } else if (stop.has_z && std::abs(stop.position.z() - *ground) > far_off_the_ground) {
-        ++high;
-        most = std::max(most, std::abs(stop.position.z() - *ground));
-      }
-    }
-    if (off > 0) {
-      problems_.add({.file = file_.string(),
-                     .what = fmt::format("{} of {} observations are off the terrain", off, stops.size()),
-                     .why = off == stops.size() ? "they may be in another coordinate system" : "",
-                     .hint = swapped == off && !is_2d_ ? "x and y seem to be exchanged" : ""});
-    }
-    if (high > 0) {
-      warnings_.add({Severity::warning, file_.string(), 0, "",
-                     fmt::format("{} of {} observed {} are more than {:g} m above or below the terrain", high,
-                                 stops.size(), from_.marks.empty() ? "stops" : "marks", far_off_the_ground),
-                     fmt::format("up to {:.1f} m", most), "Compare their heights and coordinates with the terrain"});
-    }
-  }
-
-  std::string extent() const {
-    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, site_.model().surface);
-    const Vec3 low = site_.model().frame.global_from_local(box.low);
-    const Vec3 high = site_.model().frame.global_from_local(box.high);
-    if (is_2d_) return fmt::format("the section extends from x = {:.10g} to {:.10g}", low.x(), high.x());
-    return fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}", low.x(),
-                       high.x(), low.y(), high.y());
-  }
-
-  const StudyObservations& from_;
-  const study::PreparedSite& site_;
-  bool is_2d_;
-  std::filesystem::path file_;
-  Problems& warnings_;
-  Problems problems_;
-};
-
-void take_stops(const Study& study, const StudyObservations& from, const study::PreparedSite& site,
-                ObservedGroup& group, Problems& warnings) {
-  StopReader reader(study, from, site, warnings);
-  const std::vector<ReadStop> stops = reader.read();
-  group.sample.strata = reader.seeders_of(stops);
+  const std::vector<study::RockEnd> ends = site.run({}, {}).ends;
+  MatchedPlaces matched = match_places(places, site, ends, file, warnings);
+  group.releases = std::move(matched.strata);
+  group.sample.strata = std::move(matched.of_place);
   Vec2 mean_stop = Vec2::Zero();
-  for (const ReadStop& stop : stops) {
-    mean_stop += stop.position.head<2>() / static_cast<double>(stops.size());
-    group.positions.push_back(stop.position);
+  for (const ObservedPlace& place : places) mean_stop += place.position.head<2>() / static_cast<double>(places.size());
+  std::size_t compared = 0;
+  for (const study::RockEnd& end : ends) {
+    if (group.releases.of(end) == ReleaseStrata::none) continue;
+    group.axis.origin += end.release.head<2>();
+    ++compared;
   }
-  const study::SetOutcome once = site.run({}, {});
-  for (const study::RockEnd& end : once.ends)
-    group.axis.origin += end.release.head<2>() / static_cast<double>(once.ends.size());
+  group.axis.origin /= static_cast<double>(compared);
   const Vec2 way = mean_stop - group.axis.origin;
   if (way.norm() > 0) group.axis.along = way.normalized();
   const bool is_2d = site.project().is_2d();
   group.features = {{"runout", "m", from.accuracy_m}};
   if (!is_2d) group.features.push_back({"lateral", "m", from.accuracy_m});
-  group.sample.rows.resize(static_cast<Eigen::Index>(stops.size()), static_cast<Eigen::Index>(group.features.size()));
-  for (std::size_t k = 0; k < stops.size(); ++k) {
-    const Vec2 at = group.axis.of(stops[k].position);
-    const auto row = static_cast<Eigen::Index>(k);
-    group.sample.rows(row, 0) = at.x();
-    if (!is_2d) group.sample.rows(row, 1) = at.y();
+  group.sample.rows.resize(static_cast<Index>(places.size()), static_cast<Index>(group.features.size()));
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const Vec2 at = group.place_of(places[k].position, group.sample.has_strata() ? group.sample.strata[k] : 0);
+    group.sample.rows.row(static_cast<Index>(k)) = at.head(group.sample.rows.cols()).transpose();
   }
 }
 
+/// Energies and velocities imply masses: those of simulated rocks, or a unit is wrong.
+void check_units(const ObservedGroup& group, const study::PreparedSite& site, const std::string& file,
+                 Problems& warnings) {
+  const auto column_of = [&](LineValue value) -> std::optional<Index> {
+    const auto found = std::ranges::find(group.values, value);
+    return found == group.values.end() ? std::nullopt : std::optional(found - group.values.begin());
+  };
+  const auto velocity = column_of(LineValue::velocity), energy = column_of(LineValue::energy);
+  if (!velocity || !energy) return;
+  std::vector<double> implied, masses;
+  for (Index row = 0; row < group.sample.rows.rows(); ++row) {
+    const double v = group.sample.rows(row, *velocity);
+    if (v > 0) implied.push_back(2000 * group.sample.rows(row, *energy) / (v * v));
+  }
+  for (const study::RockEnd& end : site.run({}, {}).ends) masses.push_back(end.mass);
+  if (implied.empty() || masses.empty()) return;
+  std::ranges::sort(implied);
+  const auto [least, most] = std::ranges::minmax(masses);
+  const double median = implied[implied.size() / 2];
+  constexpr double rotation = 1.4;  // of a rolling sphere: translational and rotational energy over translational
+  constexpr double far = 4;
+  if (median < far * rotation * most && median * far > least) return;
+  warnings.add({Severity::warning, file, 0, "",
+                fmt::format("the energies and velocities imply rocks of {:.3g} kg", median),
+                fmt::format("the simulated rocks have {:.4g} to {:.4g} kg", least, most),
+                "Check the units, kJ and m/s, and the sizes of the seeders"});
+}
+
 void take_values(const Study& study, const StudyObservations& from, const study::PreparedSite& site,
-                 ObservedGroup& group) {
+                 ObservedGroup& group, Problems& warnings) {
   std::vector<std::string_view> names;
   for (const Barrier& barrier : site.model().barriers) names.push_back(barrier.name);
   const auto found = std::ranges::find(names, from.at);
@@ -229,17 +128,20 @@ void take_values(const Study& study, const StudyObservations& from, const study:
   }
   group.barrier = BarrierId{static_cast<std::uint32_t>(found - names.begin())};
   const ObservationTable table(study.file.parent_path() / from.values);
+  Problems problems;
+  table.check_columns(value_columns, problems, warnings);
   std::vector<std::size_t> columns;
-  const auto take = [&](LineValue value, std::initializer_list<std::string_view> column, Feature feature) {
-    const auto place = table.find(column);
+  const auto take = [&](LineValue value, Feature feature) {
+    const auto place = table.find(value_columns[static_cast<std::size_t>(value)]);
     if (!place) return;
     columns.push_back(*place);
     group.values.push_back(value);
     group.features.push_back(std::move(feature));
   };
-  take(LineValue::height, {"height_m", "impact_height_m"}, {"height", "m", from.accuracy_m});
-  take(LineValue::velocity, {"velocity_m_s", "speed_m_s"}, {"velocity", "m/s", 0});
-  take(LineValue::energy, {"energy_kJ"}, {"energy", "kJ", 0});
+  take(LineValue::height, {"height", "m", from.accuracy_m});
+  take(LineValue::velocity, {"velocity", "m/s", 0});
+  take(LineValue::energy, {"energy", "kJ", 0});
+  if (problems.has_errors()) throw BadInput(std::move(problems));
   if (columns.empty()) {
     throw BadInput(Problem{.file = table.file(),
                            .line = 1,
@@ -247,15 +149,20 @@ void take_values(const Study& study, const StudyObservations& from, const study:
                            .why = fmt::format("the columns are {}", fmt::join(table.columns(), ", ")),
                            .hint = "Name them height_m, velocity_m_s or energy_kJ"});
   }
-  Problems problems;
   group.sample.rows.resize(static_cast<Eigen::Index>(table.rows()), static_cast<Eigen::Index>(columns.size()));
   for (std::size_t row = 0; row < table.rows(); ++row) {
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      group.sample.rows(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) =
-          table.number(row, columns[k], problems).value_or(0);
+      const double value = table.number(row, columns[k], problems).value_or(0);
+      group.sample.rows(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(k)) = value;
+      if (value >= 0) continue;
+      Problem problem = table.at(row);
+      problem.what = fmt::format("{} is {:g}", table.columns()[columns[k]], value);
+      problem.why = "expected 0 or more";
+      problems.add(std::move(problem));
     }
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
+  check_units(group, site, table.file(), warnings);
 }
 
 double value_of(LineValue value, const study::Crossing& crossing) {
@@ -270,7 +177,52 @@ double value_of(LineValue value, const study::Crossing& crossing) {
   return (crossing.translational_energy + crossing.rotational_energy) / 1000;
 }
 
+/// Of simulated stops or marks: places with the rocks that left them.
+template <class Place, class PositionOf>
+Sample sample_of_places(const ObservedGroup& group, const study::SetOutcome& outcome, const std::vector<Place>& places,
+                        PositionOf&& position_of) {
+  std::vector<std::pair<const Place*, std::uint32_t>> compared;
+  for (const Place& place : places) {
+    const std::uint32_t stratum = group.releases.of(outcome.ends[place.rock]);
+    if (stratum != ReleaseStrata::none) compared.emplace_back(&place, stratum);
+  }
+  Sample sample;
+  const auto features = static_cast<Index>(group.features.size());
+  sample.rows.resize(static_cast<Index>(compared.size()), features);
+  for (std::size_t k = 0; k < compared.size(); ++k) {
+    const auto& [place, stratum] = compared[k];
+    sample.rows.row(static_cast<Index>(k)) = group.place_of(position_of(*place), stratum).head(features).transpose();
+    if (group.sample.has_strata()) sample.strata.push_back(stratum);
+    if (!group.sample.rocks.empty()) sample.rocks.push_back(static_cast<std::uint32_t>(place->rock));
+  }
+  return sample;
+}
+
+Sample sample_of_crossings(const ObservedGroup& group, const study::SetOutcome& outcome) {
+  // Of a rock that arrives several times, the first arrival.
+  std::vector<const study::Crossing*> first;
+  for (const study::Crossing& crossing : outcome.crossings) {
+    if (crossing.barrier.index != group.barrier.index) continue;
+    if (first.empty() || first.back()->rock != crossing.rock) first.push_back(&crossing);
+  }
+  Sample sample;
+  const auto features = static_cast<Index>(group.features.size());
+  sample.rows.resize(static_cast<Index>(first.size()), features);
+  for (Index row = 0; row < sample.rows.rows(); ++row) {
+    for (Index f = 0; f < features; ++f) {
+      sample.rows(row, f) = value_of(group.values[static_cast<std::size_t>(f)], *first[static_cast<std::size_t>(row)]);
+    }
+  }
+  return sample;
+}
+
 }  // namespace
+
+Vec2 ObservedGroup::place_of(const Vec3& position, std::uint32_t stratum) const {
+  // Runouts are counted from a rock's own release.
+  const Vec2 shift = releases.origins.empty() ? Vec2::Zero() : Vec2(releases.origins[stratum] - axis.origin);
+  return axis.of(position.head<2>() - shift);
+}
 
 ObservedGroup read_observations(const Study& study, const StudyObservations& from, std::size_t site,
                                 const study::PreparedSite& prepared, Problems& warnings) {
@@ -278,51 +230,40 @@ ObservedGroup read_observations(const Study& study, const StudyObservations& fro
   group.name = from.name;
   group.site = site;
   group.weight = from.weight;
-  group.kind = !from.stops.empty()   ? ObservationKind::stops
-               : !from.marks.empty() ? ObservationKind::marks
-                                     : ObservationKind::values;
-  if (group.kind != ObservationKind::values) {
-    take_stops(study, from, prepared, group, warnings);
-  } else {
-    take_values(study, from, prepared, group);
+  group.kind = !from.stops.empty()    ? ObservationKind::stops
+               : !from.marks.empty()  ? ObservationKind::marks
+               : !from.values.empty() ? ObservationKind::values
+                                      : ObservationKind::zones;
+  switch (group.kind) {
+    case ObservationKind::stops:
+    case ObservationKind::marks:
+      take_places(study, from, prepared, group, warnings);
+      break;
+    case ObservationKind::values:
+      take_values(study, from, prepared, group, warnings);
+      break;
+    case ObservationKind::zones: {
+      ReadZones read = read_zones(study, from, prepared, prepared.run({}, {}).ends, warnings);
+      group.zones = std::move(read.zones);
+      group.sample = std::move(read.sample);
+      break;
+    }
   }
   return group;
 }
 
 Sample simulated_sample(const ObservedGroup& group, const study::SetOutcome& outcome) {
-  Sample sample;
-  const auto features = static_cast<Eigen::Index>(group.features.size());
-  if (group.kind == ObservationKind::stops) {
-    sample.rows.resize(static_cast<Eigen::Index>(outcome.ends.size()), features);
-    for (Eigen::Index row = 0; row < sample.rows.rows(); ++row) {
-      const study::RockEnd& end = outcome.ends[static_cast<std::size_t>(row)];
-      const Vec2 at = group.axis.of(end.end);
-      for (Eigen::Index f = 0; f < features; ++f) sample.rows(row, f) = at[f];
-      if (!group.sample.strata.empty()) sample.strata.push_back(end.seeder.index);
-    }
-    return sample;
+  switch (group.kind) {
+    case ObservationKind::stops:
+      return sample_of_places(group, outcome, outcome.ends, [](const study::RockEnd& end) { return end.end; });
+    case ObservationKind::marks:
+      return sample_of_places(group, outcome, outcome.marks, [](const study::Mark& mark) { return mark.position; });
+    case ObservationKind::values:
+      return sample_of_crossings(group, outcome);
+    case ObservationKind::zones:
+      break;
   }
-  if (group.kind == ObservationKind::marks) {
-    sample.rows.resize(static_cast<Eigen::Index>(outcome.marks.size()), features);
-    for (Eigen::Index row = 0; row < sample.rows.rows(); ++row) {
-      const Vec2 at = group.axis.of(outcome.marks[static_cast<std::size_t>(row)].position);
-      for (Eigen::Index f = 0; f < features; ++f) sample.rows(row, f) = at[f];
-    }
-    return sample;
-  }
-  // Of a rock that arrives several times, the first arrival.
-  std::vector<const study::Crossing*> first;
-  for (const study::Crossing& crossing : outcome.crossings) {
-    if (crossing.barrier.index != group.barrier.index) continue;
-    if (first.empty() || first.back()->rock != crossing.rock) first.push_back(&crossing);
-  }
-  sample.rows.resize(static_cast<Eigen::Index>(first.size()), features);
-  for (Eigen::Index row = 0; row < sample.rows.rows(); ++row) {
-    for (Eigen::Index f = 0; f < features; ++f) {
-      sample.rows(row, f) = value_of(group.values[static_cast<std::size_t>(f)], *first[static_cast<std::size_t>(row)]);
-    }
-  }
-  return sample;
+  return zone_sample(group.zones, outcome.ends);
 }
 
 }  // namespace talus::calibration

@@ -25,6 +25,26 @@ bool is_at(const StudyParameter& parameter, const std::string& site) {
   return parameter.sites.empty() || std::ranges::count(parameter.sites, site) > 0;
 }
 
+void add_group(const ObservedGroup& group, Checksum& checksum) {
+  const auto add = [&](const auto& list, std::size_t size) {
+    using Item = std::remove_cvref_t<decltype(list[0])>;
+    checksum.add({reinterpret_cast<const char*>(list), size * sizeof(Item)});  // NOLINT: bytes of numbers
+  };
+  add(group.sample.rows.data(), static_cast<std::size_t>(group.sample.rows.size()));
+  add(group.sample.strata.data(), group.sample.strata.size());
+  add(group.sample.rocks.data(), group.sample.rocks.size());
+  add(group.releases.of_rock.data(), group.releases.of_rock.size());
+  add(group.releases.mass_bounds.data(), group.releases.mass_bounds.size());
+  checksum.add(fmt::format("{} {} {} {}", group.name, group.weight, static_cast<int>(group.kind),
+                           group.features.empty() ? 0 : group.features.front().accuracy));
+  checksum.add(fmt::format("{} {} {} {}", group.zones.has_elsewhere, group.zones.relative_accuracy,
+                           static_cast<int>(group.zones.amount), group.barrier.index));
+  for (const ObservedZone& zone : group.zones.list) {
+    checksum.add(fmt::format("{} {} {} {}", zone.name, zone.amount, zone.from, zone.to));
+    for (const std::vector<Vec2>& outline : zone.outlines) add(outline.data(), outline.size());
+  }
+}
+
 bool is_same(const study::SetOutcome& a, const study::SetOutcome& b) {
   const auto same_end = [](const study::RockEnd& x, const study::RockEnd& y) {
     return x.end == y.end && x.max_kinetic_energy == y.max_kinetic_energy;
@@ -70,7 +90,7 @@ PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& w
   if (problems.has_errors()) throw BadInput(std::move(problems));
 
   std::size_t observations = 0;
-  for (const ObservedGroup& group : groups_) observations += static_cast<std::size_t>(group.sample.rows.rows());
+  for (const ObservedGroup& group : groups_) observations += group.count();
   const auto parameters = static_cast<double>(parameters_.size());
   if (observations < parameters_.size()) {
     throw BadInput(
@@ -92,11 +112,7 @@ PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& w
     checksum.add(project::fingerprint_of(project::echo(site.project()), site.model()));
     checksum.add(project::sample_of(site.model()));
   }
-  for (const ObservedGroup& group : groups_) {
-    checksum.add({reinterpret_cast<const char*>(group.sample.rows.data()),  // NOLINT: bytes of numbers
-                  static_cast<std::size_t>(group.sample.rows.size()) * sizeof(double)});
-    checksum.add(fmt::format("{} {} {}", group.name, group.weight, group.features.front().accuracy));
-  }
+  for (const ObservedGroup& group : groups_) add_group(group, checksum);
   for (const SoughtParameter& parameter : parameters_)
     checksum.add(parameter.name + parameter.prior.text() +
                  fmt::format("{} {}", parameter.prior.value(0.1), parameter.prior.value(0.9)));

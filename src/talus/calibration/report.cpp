@@ -6,6 +6,7 @@
 #include "talus/calibration/doubts.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/calibration/svg.hpp"
+#include "talus/calibration/zone_prediction.hpp"
 #include "talus/core/random.hpp"
 
 namespace talus::calibration {
@@ -71,10 +72,8 @@ class Page {
 
   void introduction() {
     std::size_t observations = 0;
-    for (const ObservedGroup& group : study_.groups())
-      observations += static_cast<std::size_t>(group.sample.rows.rows());
-    const auto agreeing =
-        std::ranges::count_if(result_.sets, [&](const SetResult& set) { return agrees(set, result_); });
+    for (const ObservedGroup& group : study_.groups()) observations += group.count();
+    const auto agreeing = std::ranges::count_if(result_.sets, [](const SetResult& set) { return agrees(set); });
     out_ += fmt::format(
         "<p>{} parameters, {} observations at {} site{}, {} sets of {} rocks. {} sets are as near to the observations "
         "as "
@@ -185,6 +184,9 @@ class Page {
     std::vector<double> prior(result_.sets.size(), 0);
     for (std::size_t k = 0; k < prior.size(); ++k) prior[k] = result_.sets[k].round == 0 ? 1 : 0;
     for (std::size_t g = 0; g < study_.groups().size(); ++g) {
+      if (study_.groups()[g].kind == ObservationKind::zones) {
+        out_ += zones_as_html(study_, g, result_, weights_, prior);
+      }
       for (std::size_t f = 0; f < study_.groups()[g].features.size(); ++f) {
         distribution(g, static_cast<Eigen::Index>(f), prior);
       }
@@ -200,24 +202,23 @@ class Page {
                                const std::vector<double>& grid) const {
     constexpr std::size_t replicas = 200;
     constexpr auto stream = static_cast<Stream>(1400);
-    const auto observed = static_cast<std::uint32_t>(study_.groups()[g].sample.rows.rows());
+    const Sample& observed = study_.groups()[g].sample;
     std::vector<double> cumulated;
     double sum = 0;
     for (std::size_t k = 0; k < weights.size(); ++k) {
       cumulated.push_back(sum += result_.sets[k].samples[g].rows.rows() > 0 ? weights[k] : 0);
     }
     std::vector<std::vector<double>> shares(grid.size());
+    std::vector<Eigen::Index> rows;
     for (std::size_t r = 0; r < replicas; ++r) {
       const double pick = uniform_pair(study_.study().seed, r, stream, 0)[0] * sum;
       const auto set = static_cast<std::size_t>(std::ranges::upper_bound(cumulated, pick) - cumulated.begin());
-      const Eigen::MatrixXd& rows = result_.sets[std::min(set, cumulated.size() - 1)].samples[g].rows;
-      if (rows.rows() == 0) continue;
+      const Sample& sample = result_.sets[std::min(set, cumulated.size() - 1)].samples[g];
+      const Redraw redraw(sample, observed);
+      if (!redraw.has_at_least(1)) continue;
+      redraw.rows(study_.study().seed, static_cast<std::uint32_t>(r), rows);
       std::vector<double> drawn;
-      for (std::uint32_t i = 0; i < observed; ++i) {
-        const double u = uniform_pair(study_.study().seed, r, stream, i + 1)[0];
-        drawn.push_back(
-            rows(std::min(static_cast<Eigen::Index>(u * static_cast<double>(rows.rows())), rows.rows() - 1), f));
-      }
+      for (const Eigen::Index row : rows) drawn.push_back(sample.rows(row, f));
       std::ranges::sort(drawn);
       for (std::size_t k = 0; k < grid.size(); ++k) {
         const auto below = std::ranges::upper_bound(drawn, grid[k]) - drawn.begin();
@@ -241,7 +242,7 @@ class Page {
     const ObservedGroup& group = study_.groups()[g];
     std::vector<double> observed(group.sample.rows.col(f).begin(), group.sample.rows.col(f).end());
     std::ranges::sort(observed);
-    const Eigen::MatrixXd predicted = mixture_of(result_.sets, weights_, g, 1000);
+    const Eigen::MatrixXd predicted = mixture_of(result_.sets, weights_, g, rows_like(group.sample, 1000)).rows;
     if (predicted.rows() == 0) return;
     const double least = std::min(observed.front(), predicted.col(f).minCoeff());
     const double most = std::max(observed.back(), predicted.col(f).maxCoeff());
@@ -269,10 +270,11 @@ class Page {
         std::sqrt((group.sample.rows.col(f).array() - observed_mean).square().sum() / std::max(n - 1, 1.0));
     out_ +=
         figure(plot, fmt::format("{}, {}: observed {:.4g} \u00b1 {:.3g} {}, predicted {:.4g} \u00b1 {:.3g} {} (mean "
-                                 "and standard deviation). Energy distance of the best set {:.3g}; chance alone "
-                                 "gives up to {:.3g}.",
+                                 "and standard deviation). {} of the best set {:.3g}; chance alone gives up to "
+                                 "{:.3g}.",
                                  study_.study().sites[group.site].name, group.name, rounded(observed_mean),
                                  observed_spread, feature.unit, mean, spread, feature.unit,
+                                 group.sample.has_strata() ? "Mean energy score" : "Energy distance",
                                  result_.sets[result_.best].distances[g], result_.thresholds[g]));
   }
 

@@ -8,6 +8,7 @@
 
 #include "talus/calibration/doubts.hpp"
 #include "talus/calibration/saved_sets.hpp"
+#include "talus/calibration/zone_prediction.hpp"
 #include "talus/files/csv_text.hpp"
 #include "talus/files/folder_lock.hpp"
 #include "talus/files/output_file.hpp"
@@ -47,12 +48,26 @@ Json quantiles_of(const std::vector<double>& values, const std::vector<double>& 
   return quantiles;
 }
 
+Json zones_of(const ObservedGroup& group, std::size_t g, const CalibrationResult& result,
+              const std::vector<double>& weights, std::uint64_t seed) {
+  Json zones = Json::array();
+  const Eigen::VectorXd observed = zone_shares(group.zones, group.sample);
+  const std::vector<PredictedShare> predicted = predicted_shares(group, g, result.sets, weights, seed);
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    zones.push_back(
+        {{"name", group.zones.name_of(k)},
+         {"observed_share", observed[static_cast<Eigen::Index>(k)]},
+         {"predicted_share", {{"p05", predicted[k].p05}, {"p50", predicted[k].p50}, {"p95", predicted[k].p95}}}});
+  }
+  return zones;
+}
+
 std::string summary_of(const PreparedStudy& study, const CalibrationResult& result) {
   std::vector<double> weights;
   std::size_t agreeing = 0;
   for (const SetResult& set : result.sets) {
     weights.push_back(set.weight);
-    agreeing += agrees(set, result) ? 1U : 0U;
+    agreeing += agrees(set) ? 1U : 0U;
   }
   const bool has_posterior = result.effective_sets > 0;
   Json json;
@@ -96,7 +111,7 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
           {"observed_mean", mean},
           {"observed_std_dev", n > 1 ? Json(std::sqrt((column.array() - mean).square().sum() / (n - 1))) : Json()}};
       if (has_posterior) {
-        const Eigen::MatrixXd predicted = mixture_of(result.sets, weights, g, 2000);
+        const Eigen::MatrixXd predicted = mixture_of(result.sets, weights, g, rows_like(group.sample, 2000)).rows;
         const auto of = predicted.col(static_cast<Eigen::Index>(f));
         feature["predicted_mean"] = of.mean();
         feature["predicted_std_dev"] = std::sqrt((of.array() - of.mean()).square().mean());
@@ -105,10 +120,13 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
     }
     json["observations"].push_back({{"name", group.name},
                                     {"site", study.study().sites[group.site].name},
-                                    {"count", group.sample.rows.rows()},
+                                    {"count", group.count()},
                                     {"threshold", result.thresholds[g]},
                                     {"best_distance", finite(result.sets[result.best].distances[g])},
                                     {"features", std::move(features)}});
+    if (group.kind == ObservationKind::zones) {
+      json["observations"].back()["zones"] = zones_of(group, g, result, weights, study.study().seed);
+    }
   }
   json["held_out"] = Json::array();
   for (const HeldOut& held : result.held_out) {
@@ -174,7 +192,7 @@ std::string sets_table(const PreparedStudy& study, const CalibrationResult& resu
     } else {
       row << "-inf";
     }
-    row << (agrees(set, result) ? "yes" : "no");
+    row << (agrees(set) ? "yes" : "no");
     for (const double value : set.values) row << value;
     row.end();
   }

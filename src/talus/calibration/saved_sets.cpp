@@ -21,6 +21,7 @@ void write_sample(const Sample& sample, ByteWriter& out) {
   out.put(static_cast<std::uint64_t>(sample.rows.cols()));
   out.numbers(std::span<const double>(sample.rows.data(), static_cast<std::size_t>(sample.rows.size())));
   out.list(sample.strata);
+  out.list(sample.rocks);
 }
 
 Sample read_sample(ByteReader& in) {
@@ -31,6 +32,9 @@ Sample read_sample(ByteReader& in) {
   expect_bytes(rows * columns <= in.left() / sizeof(double), "a sample is too large");
   in.numbers(std::span<double>(sample.rows.data(), static_cast<std::size_t>(sample.rows.size())));
   sample.strata = in.list<std::uint32_t>();
+  sample.rocks = in.list<std::uint32_t>();
+  const auto is_complete = [&](const std::vector<std::uint32_t>& list) { return list.empty() || list.size() == rows; };
+  expect_bytes(is_complete(sample.strata) && is_complete(sample.rocks), "a sample is incomplete");
   return sample;
 }
 

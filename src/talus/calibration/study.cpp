@@ -114,8 +114,8 @@ class StudyCheck {
     }
     const bool has_file = !each.file().empty();
     if (!has_file && !is_refused(table, k, "stops") && !is_refused(table, k, "marks") &&
-        !is_refused(table, k, "values")) {
-      refuse(table, k, "", "stops, marks or values is missing", "observations come from a file",
+        !is_refused(table, k, "values") && !is_refused(table, k, "zones")) {
+      refuse(table, k, "", "stops, marks, values or zones is missing", "observations come from a file",
              "Write stops = \"stops.csv\"");
     }
     if (!each.values.empty() && each.at.empty() && !is_refused(table, k, "at")) {
@@ -123,6 +123,12 @@ class StudyCheck {
     }
     if (each.values.empty() && has_file && !each.at.empty()) {
       refuse(table, k, "at", "at is given without values", "only values have a line", "Leave it out");
+    }
+    for (const char* key : {"released", "blocks", "relative_accuracy"}) {
+      const toml::table* from = row(table, k);
+      if (!each.zones.empty() || !has_file || from == nullptr || !from->contains(key)) continue;
+      refuse(table, k, key, fmt::format("{} is given without zones", key), "only deposits by zone have it",
+             "Leave it out");
     }
     if (each.name.empty()) each.name = as_utf8(each.file().stem().string());
   }

@@ -24,21 +24,25 @@ struct StudySite {
   int line = 0;
 };
 
-/// [[observations]]: exactly one of stops, marks and values.
+/// [[observations]]: exactly one of stops, marks, values and zones.
 struct StudyObservations {
-  std::string name;              // default: the kind and the file's name
-  std::string site;              // default: the only site
-  std::filesystem::path stops;   // where rocks came to rest
-  std::filesystem::path marks;   // where rocks struck the ground
-  std::filesystem::path values;  // of rocks at a line
-  std::string at;                // a collector or barrier of the project, for values
-  std::string layer;             // of a GIS file
-  double accuracy_m = 0.5;       // standard deviation of observed coordinates and heights
+  std::string name;                // default: the kind and the file's name
+  std::string site;                // default: the only site
+  std::filesystem::path stops;     // where rocks came to rest
+  std::filesystem::path marks;     // where rocks struck the ground
+  std::filesystem::path values;    // of rocks at a line
+  std::filesystem::path zones;     // what came to rest in each of several areas
+  std::string at;                  // a collector or barrier of the project, for values
+  std::string layer;               // of a GIS file
+  double accuracy_m = 0.5;         // standard deviation of observed coordinates and heights
+  std::optional<double> released;  // all that was released, in the unit of the zones: m3 or rocks
+  std::optional<double> blocks;    // rocks of which zones hold volumes or shares
+  double relative_accuracy = 0.2;  // standard deviation of an observed volume or share over itself
   double weight = 1;
   int line = 0;
 
   [[nodiscard]] const std::filesystem::path& file() const {
-    return !stops.empty() ? stops : !marks.empty() ? marks : values;
+    return !stops.empty() ? stops : !marks.empty() ? marks : !values.empty() ? values : zones;
   }
 };
 

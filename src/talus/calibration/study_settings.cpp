@@ -17,7 +17,7 @@ std::function<Slot(Row)> member(Member Struct::*pointer) {
 }
 
 constexpr double most_draws = 1e6, most_rocks = 1e6, most_rounds = 20, most_folds = 1000;
-constexpr double most_accuracy_m = 1e3, most_weight = 1e3;
+constexpr double most_accuracy_m = 1e3, most_weight = 1e3, most_blocks = 1e6, most_relative_accuracy = 3;
 
 Table head_table() {
   return {
@@ -109,16 +109,44 @@ Table observations_table() {
               {.key = "stops",
                .slot = member(&StudyObservations::stops),
                .meaning = "File of the places where rocks came to rest: CSV with the columns x_m and y_m (2D: x_m "
-                          "alone), or points for a GIS. A column `release` names each rock's seeder.",
+                          "alone), or points for a GIS. A column `release` names each rock's seeder, or its row in a "
+                          "seeder's table; `mass_kg` is its mass.",
                .source = "Talus"},
               {.key = "marks",
                .slot = member(&StudyObservations::marks),
-               .meaning = "File of the places where rocks struck the ground, as for `stops`, without `release`.",
+               .meaning = "File of the places where rocks struck the ground, as for `stops`. A column `rock` names the "
+                          "rock that left each mark.",
                .source = "Talus"},
               {.key = "values",
                .slot = member(&StudyObservations::values),
                .meaning = "CSV file of rocks that arrived at a line, a row each, with one or more of the columns "
                           "height_m, velocity_m_s and energy_kJ (translational and rotational).",
+               .source = "Talus"},
+              {.key = "zones",
+               .slot = member(&StudyObservations::zones),
+               .meaning =
+                   "File of areas and what came to rest in each: polygons for a GIS with the attributes zone and "
+                   "volume_m3, count or share; or CSV with a row for each vertex (zone, x_m, y_m; 2D: a row for "
+                   "each zone with zone, from_m, to_m) and one of these columns.",
+               .source = "Talus"},
+              {.key = "released",
+               .slot = member(&StudyObservations::released),
+               .range = {.least = 0, .least_excluded = true},
+               .without_it = "only shares among the zones are compared",
+               .meaning =
+                   "Volume [m3] or count of all rocks that were released: what the zones do not hold came to rest "
+                   "elsewhere. With `zones`.",
+               .source = "Talus"},
+              {.key = "blocks",
+               .slot = member(&StudyObservations::blocks),
+               .range = {.least = 1, .most = most_blocks},
+               .without_it = "from the volume, by the volumes of simulated rocks",
+               .meaning = "Number of rocks that the volumes or shares consist of; required with shares. With `zones`.",
+               .source = "Talus"},
+              {.key = "relative_accuracy",
+               .slot = member(&StudyObservations::relative_accuracy),
+               .range = {.least = 0, .most = most_relative_accuracy, .too_low = "it is a standard deviation"},
+               .meaning = "Standard deviation of the error of an observed volume or share, over itself. With `zones`.",
                .source = "Talus"},
               {.key = "at",
                .slot = member(&StudyObservations::at),
@@ -142,7 +170,7 @@ Table observations_table() {
                .meaning = "Factor of the logarithm of the likelihood: less than 1 where rocks were not independent.",
                .source = "Talus"},
           },
-      .choices = {{{"stops"}, {"marks"}, {"values"}}}};
+      .choices = {{{"stops"}, {"marks"}, {"values"}, {"zones"}}}};
 }
 
 Table parameter_table() {

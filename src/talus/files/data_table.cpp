@@ -71,6 +71,15 @@ std::string plain_column_name(std::string_view name) {
   return plain;
 }
 
+bool is_unit_of_column(std::string_view word) {
+  static constexpr std::array units{"m",     "ft",   "feet",  "cm",     "mm",      "km",     "inch",  "in",  "kg",
+                                    "g",     "t",    "to",    "lb",     "lbs",     "tonnes", "kn",    "m3",  "cm3",
+                                    "dm3",   "l",    "ft3",   "m_s",    "km_h",    "kmh",    "ft_s",  "fps", "mph",
+                                    "deg",   "rad",  "grad",  "degree", "degrees", "deg_s",  "rad_s", "rpm", "hz",
+                                    "kg_m3", "t_m3", "g_cm3", "j",      "kj",      "mj"};
+  return std::find(units.begin(), units.end(), word) != units.end();
+}
+
 DataTable::DataTable(const std::filesystem::path& file) : file_(file.string()), problems_(file_, "rows") {
   if (const auto why = not_an_ordinary_file(file)) stop(0, "cannot be read", *why, "Name a file");
   errno = 0;

@@ -27,6 +27,10 @@ namespace talus {
 /// `Mass (kg)` is `mass_kg`, and `vx [m/s]` and `vx_mps` are `vx_m_s`.
 [[nodiscard]] std::string plain_column_name(std::string_view name);
 
+/// Whether a word with which a column's name ends is a unit, of those that people use, in the form of
+/// plain_column_name.
+[[nodiscard]] bool is_unit_of_column(std::string_view word);
+
 class DataTable {
  public:
   /// Reads the names of the columns. Throws BadInput if the file cannot be opened, is empty, has no names or has two

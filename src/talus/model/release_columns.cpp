@@ -89,15 +89,6 @@ const std::array<ReleaseColumnFacts, release_column_count>& columns() {
   return list;
 }
 
-/// Units that a name may end with, other than the one that Talus reads.
-bool is_unit(std::string_view word) {
-  static constexpr std::array units{
-      "m",   "ft",     "feet", "cm",   "mm",     "km",      "inch",  "in",    "kg",  "g",    "t",     "to",   "lb",
-      "lbs", "tonnes", "kn",   "m3",   "cm3",    "dm3",     "l",     "ft3",   "m_s", "km_h", "kmh",   "ft_s", "fps",
-      "mph", "deg",    "rad",  "grad", "degree", "degrees", "deg_s", "rad_s", "rpm", "hz",   "kg_m3", "t_m3", "g_cm3"};
-  return std::find(units.begin(), units.end(), word) != units.end();
-}
-
 bool is_coordinate(ReleaseColumn column) { return column == x || column == y || column == z; }
 
 class Finder {
@@ -175,7 +166,7 @@ class Finder {
           problems_.add(0, fmt::format("column {} has no unit", in_quotes(names_[k])),
                         "units are in the names of columns",
                         fmt::format("Name it {} if it is in {}", facts.name(), facts.unit_text));
-        } else if (rest.starts_with('_') && is_unit(rest.substr(1))) {
+        } else if (rest.starts_with('_') && is_unit_of_column(rest.substr(1))) {
           problems_.add(0, fmt::format("column {} is in another unit", in_quotes(names_[k])),
                         fmt::format("expected {}", facts.unit_text),
                         fmt::format("Convert it to {} and name it {}", facts.unit_text, facts.name()));
