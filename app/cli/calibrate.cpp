@@ -28,7 +28,6 @@ using calibration::CalibrationResult;
 using calibration::HeldOut;
 using calibration::PreparedStudy;
 using calibration::SetResult;
-using calibration::SoughtParameter;
 using calibration::Study;
 using calibration::StudyModel;
 
@@ -54,7 +53,7 @@ void print_posterior(const PreparedStudy& study, const CalibrationResult& result
   std::vector<double> weights;
   for (const SetResult& set : result.sets) weights.push_back(set.weight);
   std::size_t longest = 0;
-  for (const SoughtParameter& parameter : study.parameters()) longest = std::max(longest, parameter.name.size());
+  for (const study::Parameter& parameter : study.parameters()) longest = std::max(longest, parameter.name.size());
   fmt::print("{:{}}  {:>10} {:>10} {:>10}   {:>10}\n", "", longest, "5 %", "median", "95 %", "best set");
   for (std::size_t k = 0; k < study.parameters().size(); ++k) {
     std::vector<double> values;

@@ -25,7 +25,7 @@ void print_effects(const sensitivity::Study& study, const sensitivity::Analysis&
   const bool is_morris = study.method == sensitivity::Method::morris;
   for (const sensitivity::ResultEffects& result : analysis.results) {
     const std::string unit = result.unit.empty() ? "" : fmt::format(" [{}]", result.unit);
-    fmt::print("{}{}\n", result.name, unit);
+    fmt::print("{}{}\n", result.title, unit);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < result.of_inputs.size(); ++k) {
       if (result.of_inputs[k].size()) order.push_back(k);
@@ -45,9 +45,10 @@ void print_effects(const sensitivity::Study& study, const sensitivity::Analysis&
 int analyse(const SensitivityOptions& options) {
   using Clock = std::chrono::steady_clock;
   take_threads(options.threads);
-  const sensitivity::Study study = sensitivity::read_study(options.study);
-  const sensitivity::PreparedStudy prepared(study);
-  print_warnings(prepared.warnings());
+  const auto [study, doubts] = sensitivity::read_study(options.study);
+  Problems warnings = doubts;
+  const sensitivity::PreparedStudy prepared(study, warnings);
+  print_warnings(warnings);
   const std::filesystem::path folder =
       options.folder.empty() ? options.study.parent_path() / study.name : options.folder;
   const FolderLock lock = lock_output_folder(folder);
@@ -57,9 +58,11 @@ int analyse(const SensitivityOptions& options) {
   sensitivity::AnalysisOptions how{.threads = options.threads, .progress = {}};
   const auto rocks = static_cast<std::uint64_t>(study.rocks);
   if (!options.quiet) {
-    fmt::print("{}: {} runs of {} rocks\n", study.name, study.runs(), rocks);
+    const std::size_t sites = study.sites.size();
+    fmt::print("{}: {} runs of {} rocks{}\n", study.name, prepared.runs(), rocks,
+               sites > 1 ? fmt::format(" at each of {} sites", sites) : "");
     flush_output();
-    progress.emplace(study.runs() * rocks);
+    progress.emplace(prepared.runs() * sites * rocks);
     how.progress = [&](std::uint64_t done) { (*progress)(done * rocks); };
   }
   const auto begin = Clock::now();

@@ -39,15 +39,15 @@ horizontal_velocity_m_s = 2
 
 const std::vector<std::string> paths{"material.Scree.tangential_restitution", "material.Scree.friction_angle_deg",
                                      "material.Scree.roughness_deg"};
-const std::vector<study::Prior> priors{study::Prior::uniform(0.6, 0.9), study::Prior::uniform(20, 40),
-                                       study::Prior::uniform(1, 12)};
+const std::vector<project::Prior> priors{project::Prior::uniform(0.6, 0.9), project::Prior::uniform(20, 40),
+                                         project::Prior::uniform(1, 12)};
 
 class Replicas {
  public:
   explicit Replicas(std::uint64_t seed) : site_(site_with(seed)), sampler_(paths.size(), seed) {
     Problems problems;
     for (const std::string& path : paths)
-      numbers_.push_back(*study::SettingNumber::find(site_.project(), path, {}, problems));
+      numbers_.push_back(*project::SettingNumber::find(site_.project(), path, {}, problems));
     std::vector<study::ParameterSet> sets;
     for (const Place& place : sampler_.next_round(prior_sets)) sets.push_back(values_at(place));
     samples_.resize(sets.size());
@@ -111,7 +111,7 @@ class Replicas {
 
   study::PreparedSite site_;
   Sampler sampler_;
-  std::vector<study::SettingNumber> numbers_;
+  std::vector<project::SettingNumber> numbers_;
   std::vector<Sample> samples_;
   std::vector<ExpectedSummaries> expected_;
 };

@@ -88,7 +88,7 @@ sites = ["site 2"]
       "Write stops = \"stops.csv\"\n"
       "study.toml:6: observations 1: unknown key \"stop\". Did you mean \"stops\"?\n"
       "study.toml:9: [[parameter]] 1: range is [40, 20] (expected [least, greatest]). Exchange the two\n"
-      "study.toml:12: [[parameter]] 2: prior is a single value (there would be nothing to seek). Add distribution "
+      "study.toml:12: [[parameter]] 2: prior is a single value (it would not vary). Add distribution "
       "= \"normal\" and std_dev, or write range = [least, greatest]\n"
       "study.toml:13: [[parameter]] 2: there is no site \"site 2\". Did you mean \"site 1\"?");
 }

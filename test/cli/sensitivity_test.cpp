@@ -11,10 +11,11 @@ namespace {
 using ::testing::HasSubstr;
 
 const std::string study_text = R"(
-project = "PROJECT"
 method = "morris"
 trajectories = 5
 rocks = 20
+[[site]]
+project = "PROJECT"
 [[parameter]]
 path = "material.*.friction_angle_deg"
 range = [20, 40]
@@ -42,7 +43,8 @@ TEST(SensitivityCommand, WritesTheSameFilesOnAnyNumberOfThreads) {
   for (const char* file : {"sensitivity.csv", "runs.csv"}) {
     EXPECT_EQ(place.read(std::string("slope/") + file), place.read(std::string("again/") + file)) << file;
   }
-  EXPECT_THAT(place.read("slope/sensitivity.csv"), HasSubstr("\nrunout,m,material.*.friction_angle_deg,20 to 40,"));
+  EXPECT_THAT(place.read("slope/sensitivity.csv"),
+              HasSubstr("\nsite 1,runout,m,material.*.friction_angle_deg,20 to 40,"));
   EXPECT_THAT(place.read("slope/runs.csv"),
               HasSubstr("run,material.*.friction_angle_deg,analysis.normal_velocity_cutoff_m_s,(seed),runout\n0,"));
   EXPECT_THAT(place.read("slope/summary.json"), HasSubstr("\"method\": \"morris\""));
@@ -54,7 +56,7 @@ TEST(SensitivityCommand, RefusesABadStudy) {
   const Said said = talus_says("sensitivity " + place.write("slope.toml", "method = \"guess\"\n"));
   EXPECT_EQ(said.exit_code, 2);
   EXPECT_THAT(said.text, HasSubstr("slope.toml:1: method is \"guess\" (expected morris, sobol)"));
-  EXPECT_THAT(said.text, HasSubstr("project is missing"));
+  EXPECT_THAT(said.text, HasSubstr("[[site]] is missing"));
 }
 
 }  // namespace

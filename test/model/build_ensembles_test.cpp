@@ -111,7 +111,7 @@ TEST_F(BuildEnsembles, WarnOfWhatTheyCannotShow) {
   EXPECT_EQ(
       without_folder(warnings_.text()),
       "slope.toml: warning: [sampling]: an ensemble has 4 of 400 rocks (the parts of rocks and parameters cannot be "
-      "told apart). Run more rocks, or fewer ensembles");
+      "separated). Run more rocks, or fewer ensembles");
   static_cast<void>(built("material.Scree.normal_restitution\n0.3\n"));
   EXPECT_EQ(without_folder(warnings_.text()),
             "slope.toml: warning: [sampling]: all ensembles have the same parameters (one row has all of the weight)");

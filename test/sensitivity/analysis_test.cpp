@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/input_folder.hpp"
+#include "support/projects.hpp"
 
 namespace talus::sensitivity {
 namespace {
@@ -41,8 +42,9 @@ line = 20
 height_m = 10
 )";
 
-const std::string study_head = R"(project = "slope.toml"
-rocks = 10
+const std::string study_head = R"(rocks = 10
+[[site]]
+project = "slope.toml"
 [[parameter]]
 path = "material.Flat.friction_angle_deg"
 range = [15, 30]
@@ -60,7 +62,8 @@ class SensitivityAnalysis : public testing_tools::InputFolder {
   Analysis of(const std::string& text, int threads = 1) {
     write("slope.toml", sliding);
     write("study.toml", text);
-    return PreparedStudy(read_study(path("study.toml"))).run({.threads = threads});
+    warnings_ = {};
+    return PreparedStudy(read_study(path("study.toml")).study, warnings_).run({.threads = threads});
   }
 };
 
@@ -75,7 +78,7 @@ TEST_F(SensitivityAnalysis, FindsTheOnlyInputThatMattersByScreening) {
   EXPECT_NEAR(effects[1].elementary->magnitude.value, 0, 1e-6);
   EXPECT_EQ(effects[2].elementary->magnitude.value, 0);
   EXPECT_THAT(found.warnings.text(),
-              ::testing::HasSubstr("study.toml:8: warning: [[parameter]] 2: no result depends on seeder.0.mass_kg"));
+              ::testing::HasSubstr("study.toml:9: warning: parameter \"seeder.0.mass_kg\": no result depends on it"));
 }
 
 TEST_F(SensitivityAnalysis, GivesItAllOfTheVariance) {
@@ -106,16 +109,44 @@ TEST_F(SensitivityAnalysis, LeavesOutRunsInWhichNoRockReachesTheLine) {
   EXPECT_EQ(share.defined, found.runs.size());
 }
 
+TEST_F(SensitivityAnalysis, GivesResultsOfEachSite) {
+  write("steep.toml", testing_tools::replaced(sliding, "[10, -10], [200, -10]", "[10, -20], [200, -20]"));
+  const std::string two =
+      "[[site]]\nname = \"steep\"\nproject = \"steep.toml\"\n[[result]]\nquantity = \"share\"\nat = "
+      "\"Road\"\nsites = [\"steep\"]\n";
+  const Analysis both = of("method = \"morris\"\ntrajectories = 4\n" + study_head + two);
+  ASSERT_EQ(both.results.size(), 3u);
+  EXPECT_EQ(both.results[0].title, "runout@site 1");
+  EXPECT_EQ(both.results[1].title, "runout@steep");
+  EXPECT_EQ(both.results[2].title, "share of rocks that reach the line: Road@steep");
+  EXPECT_LT(*both.results[0].mean, *both.results[1].mean);
+  // Each site alone gives the same.
+  const Analysis one = of("method = \"morris\"\ntrajectories = 4\n" + study_head);
+  for (std::size_t k = 0; k < one.runs.size(); ++k) EXPECT_EQ(one.runs[k].results[0], both.runs[k].results[0]);
+
+  // With a value of its own at each site, the inputs of one have no effect at the other.
+  const Analysis own =
+      of("method = \"morris\"\ntrajectories = 4\n" +
+         testing_tools::replaced(study_head, "range = [15, 30]", "range = [15, 30]\neach_site = true") + two);
+  ASSERT_EQ(own.inputs.size(), 4u);
+  EXPECT_EQ(own.inputs[1].name, "material.Flat.friction_angle_deg@steep");
+  EXPECT_LT(own.results[0].of_inputs[0].elementary->mean, -2);
+  EXPECT_FALSE(own.results[0].of_inputs[1].size());
+  EXPECT_FALSE(own.results[1].of_inputs[0].size());
+  EXPECT_LT(own.results[1].of_inputs[1].elementary->mean, -2);
+}
+
 TEST_F(SensitivityAnalysis, RefusesWhatTheProjectDoesNotHave) {
   const auto refusal = [&](const std::string& text) { return refusal_of([&] { static_cast<void>(of(text)); }); };
   EXPECT_EQ(
       refusal(study_head + "[[result]]\nquantity = \"share\"\nat = \"Raod\"\n"),
-      "study.toml:13: [[result]] 2: there is no collector or barrier \"Raod\" (the project has Road). Did you mean "
+      "study.toml:14: [[result]] 2: there is no collector or barrier \"Raod\" (slope.toml has Road). Did you mean "
       "\"Road\"?");
   EXPECT_EQ(
-      refusal("project = \"slope.toml\"\n[[parameter]]\npath = \"material.Flat.normal_restitution\"\nrange = [0.5, "
+      refusal("[[site]]\nproject = \"slope.toml\"\n[[parameter]]\npath = \"material.Flat.normal_restitution\"\nrange = "
+              "[0.5, "
               "1.5]\n[[result]]\nquantity = \"runout\"\n"),
-      "study.toml:2: [[parameter]] 1: range contains 1.5 (expected 0 to 1)");
+      "study.toml:3: parameter \"material.Flat.normal_restitution\": range is [0.5, 1.5] (the setting may be 0 to 1)");
 }
 
 }  // namespace

@@ -46,22 +46,23 @@ PreparedSite site_of(const std::string& text) {
   return {project_of(text), warnings};
 }
 
-SettingNumber number_of(const project::Project& project, const std::string& path) {
+project::SettingNumber number_of(const project::Project& project, const std::string& path) {
   Problems problems;
-  auto number = SettingNumber::find(project, path, {}, problems);
+  auto number = project::SettingNumber::find(project, path, {}, problems);
   EXPECT_EQ(problems.text(), "");
   return *number;
 }
 
 std::string refusal_of(const std::string& path, const std::string& text = slope) {
   Problems problems;
-  static_cast<void>(SettingNumber::find(project_of(text), path, Problem{.file = "study.toml", .line = 3}, problems));
+  static_cast<void>(
+      project::SettingNumber::find(project_of(text), path, Problem{.file = "study.toml", .line = 3}, problems));
   return problems.text();
 }
 
 TEST(SettingNumber, IsTheMeanOfADistribution) {
   project::Project project = project_of(slope);
-  const SettingNumber number = number_of(project, "material.Scree.normal_restitution");
+  const project::SettingNumber number = number_of(project, "material.Scree.normal_restitution");
   EXPECT_EQ(number.value_in(project), 0.4);
   EXPECT_EQ(number.range().most, 1);
   EXPECT_EQ(number.set(project, 0.5), std::nullopt);
@@ -119,10 +120,10 @@ TEST(SettingNumber, DoesNotTakeAValueOutsideTheSettingsRange) {
 }
 
 TEST(Prior, InvertsItsDistributionFunction) {
-  const Prior flat = Prior::uniform(0.2, 0.6);
+  const project::Prior flat = project::Prior::uniform(0.2, 0.6);
   EXPECT_NEAR(flat.value(0.25), 0.3, 1e-12);
   EXPECT_NEAR(flat.share_below(0.5), 0.75, 1e-9);
-  const Prior bell({0.4, DistributionKind::normal, 0.1, {}, {}}, {0, 1});
+  const project::Prior bell({0.4, DistributionKind::normal, 0.1, {}, {}}, {0, 1});
   EXPECT_NEAR(bell.value(0.5), 0.4, 1e-4);
   EXPECT_NEAR(bell.share_below(bell.value(0.9)), 0.9, 1e-9);
 }

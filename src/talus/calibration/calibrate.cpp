@@ -95,19 +95,18 @@ class Calibration {
         unknown.push_back(k);
       }
     }
+    std::vector<study::ParameterSet> values;
+    for (const std::size_t k : unknown) values.push_back(result_.sets[k].values);
     for (std::size_t site = 0; site < study_.sites().size() && !unknown.empty(); ++site) {
-      const PreparedStudy::AtSite& here = study_.at_site(site);
-      std::vector<study::ParameterSet> values;
-      for (const std::size_t k : unknown) values.push_back(here.values(result_.sets[k].values));
-      study_.sites()[site].run(here.numbers, values, {.threads = options_.threads, .keep_marks = keeps_marks_},
-                               [&](std::size_t k, study::SetOutcome&& outcome) {
-                                 SetResult& set = result_.sets[unknown[k]];
-                                 for (std::size_t g = 0; g < study_.groups().size(); ++g) {
-                                   if (study_.groups()[g].site != site) continue;
-                                   set.samples[g] = simulated_sample(study_.groups()[g], outcome);
-                                   compare(set, g);
-                                 }
-                               });
+      study_.prepared().run(site, values, {.threads = options_.threads, .keep_marks = keeps_marks_},
+                            [&](std::size_t k, study::SetOutcome&& outcome) {
+                              SetResult& set = result_.sets[unknown[k]];
+                              for (std::size_t g = 0; g < study_.groups().size(); ++g) {
+                                if (study_.groups()[g].site != site) continue;
+                                set.samples[g] = simulated_sample(study_.groups()[g], outcome);
+                                compare(set, g);
+                              }
+                            });
     }
     for (std::size_t k = first; k < last; ++k) add_up(result_.sets[k]);
     if (options_.finished && !unknown.empty()) {

@@ -18,18 +18,9 @@
 #include "talus/calibration/sampler.hpp"
 #include "talus/calibration/study.hpp"
 #include "talus/core/problems.hpp"
-#include "talus/study/parameter.hpp"
-#include "talus/study/prepared_site.hpp"
+#include "talus/study/prepared_sites.hpp"
 
 namespace talus::calibration {
-
-/// A parameter that is sought: one value, at one or several sites.
-struct SoughtParameter {
-  std::string name;  // its path; with `@SITE` if each site has its own
-  std::string unit;
-  study::Prior prior;
-  std::vector<std::optional<study::SettingNumber>> at_site;  // by site; nullopt: not there
-};
 
 /// A study whose projects, observations and parameters have been read and checked.
 class PreparedStudy {
@@ -39,33 +30,25 @@ class PreparedStudy {
   PreparedStudy(Study study, const StudyModel* variant, Problems& warnings);
 
   [[nodiscard]] const Study& study() const { return study_; }
-  [[nodiscard]] const std::vector<study::PreparedSite>& sites() const { return sites_; }
+  [[nodiscard]] const std::vector<study::PreparedSite>& sites() const { return sites_.sites(); }
   [[nodiscard]] const std::vector<ObservedGroup>& groups() const { return groups_; }
-  [[nodiscard]] const std::vector<SoughtParameter>& parameters() const { return parameters_; }
+  [[nodiscard]] const std::vector<study::Parameter>& parameters() const { return sites_.parameters(); }
 
   /// One value for each parameter.
   [[nodiscard]] study::ParameterSet values_at(const Place& place) const;
-  /// The parameters that a site has, and which of the study's they are.
-  struct AtSite {
-    std::vector<study::SettingNumber> numbers;
-    std::vector<std::size_t> of;  // indices of parameters()
-    [[nodiscard]] study::ParameterSet values(const study::ParameterSet& all) const;
-  };
-  [[nodiscard]] const AtSite& at_site(std::size_t site) const { return at_site_[site]; }
+  /// The sites with their parameters.
+  [[nodiscard]] const study::PreparedSites& prepared() const { return sites_; }
   /// The settings of the variant.
   [[nodiscard]] const std::vector<std::string>& overrides() const { return overrides_; }
   /// Identifies the study, its projects and observations, and the program.
   [[nodiscard]] const std::string& fingerprint() const { return fingerprint_; }
 
  private:
-  void find_parameters(Problems& problems);
   void check_dependence(Problems& warnings) const;
 
   Study study_;
-  std::vector<study::PreparedSite> sites_;
+  study::PreparedSites sites_;
   std::vector<ObservedGroup> groups_;
-  std::vector<SoughtParameter> parameters_;
-  std::vector<AtSite> at_site_;
   std::vector<std::string> overrides_;
   std::string fingerprint_;
 };

@@ -53,7 +53,7 @@ class Doubts {
 
   void of_parameters() {
     for (std::size_t k = 0; k < study_.parameters().size(); ++k) {
-      const SoughtParameter& parameter = study_.parameters()[k];
+      const study::Parameter& parameter = study_.parameters()[k];
       const Learned learned = learned_about(k, study_, result_);
       const std::string where = fmt::format("parameter \"{}\"", parameter.name);
       if (learned.is_nothing()) {
@@ -143,8 +143,7 @@ class Doubts {
   void of_ends() {
     // (A rock that leaves the model is compared at the edge.)
     for (std::size_t site = 0; site < study_.sites().size(); ++site) {
-      const auto& here = study_.at_site(site);
-      const auto outcome = study_.sites()[site].run(here.numbers, here.values(result_.sets[result_.best].values));
+      const auto outcome = study_.prepared().run(site, result_.sets[result_.best].values);
       const auto left = std::ranges::count(outcome.ends, EndReason::left_model, &study::RockEnd::reason);
       const double share = static_cast<double>(left) / static_cast<double>(outcome.ends.size());
       constexpr double many = 0.02;
@@ -157,8 +156,7 @@ class Doubts {
 
  private:
   [[nodiscard]] study::SetOutcome best_outcome(std::size_t site) const {
-    const auto& here = study_.at_site(site);
-    return study_.sites()[site].run(here.numbers, here.values(result_.sets[result_.best].values));
+    return study_.prepared().run(site, result_.sets[result_.best].values);
   }
 
   const PreparedStudy& study_;
@@ -168,7 +166,7 @@ class Doubts {
 }  // namespace
 
 Learned learned_about(std::size_t parameter, const PreparedStudy& study, const CalibrationResult& result) {
-  const study::Prior& prior = study.parameters()[parameter].prior;
+  const project::Prior& prior = study.parameters()[parameter].prior;
   constexpr double end = 0.05;
   double mean = 0, square = 0;
   Learned learned;

@@ -93,7 +93,7 @@ class Page {
         "<h2>What is known of each parameter</h2>\n<table><tr><th>parameter</th><th>prior, 90 %</th><th>posterior, 90 "
         "%</th><th>median</th><th>best set</th><th>width, posterior / prior</th><th></th></tr>\n";
     for (std::size_t k = 0; k < study_.parameters().size(); ++k) {
-      const SoughtParameter& parameter = study_.parameters()[k];
+      const study::Parameter& parameter = study_.parameters()[k];
       const std::vector<double> values = values_of(k);
       const Learned learned = learned_about(k, study_, result_);
       const auto q = [&](double share) { return weighted_quantile(values, weights_, share); };
@@ -110,7 +110,7 @@ class Page {
   }
 
   void histogram(std::size_t k) {
-    const SoughtParameter& parameter = study_.parameters()[k];
+    const study::Parameter& parameter = study_.parameters()[k];
     const double least = parameter.prior.value(0.001), most = parameter.prior.value(0.999);
     std::vector<double> posterior(bins, 0), prior(bins, 0);
     const double width = (most - least) / bins;
@@ -164,7 +164,7 @@ class Page {
     const double heaviest = *std::ranges::max_element(weights_);
     for (std::size_t a = 0; a < std::min(count, most_in_pairs); ++a) {
       for (std::size_t b = a + 1; b < std::min(count, most_in_pairs); ++b) {
-        const study::Prior &x = study_.parameters()[a].prior, &y = study_.parameters()[b].prior;
+        const project::Prior &x = study_.parameters()[a].prior, &y = study_.parameters()[b].prior;
         Plot plot(330, 250, {x.value(0.001), x.value(0.999), study_.parameters()[a].name},
                   {y.value(0.001), y.value(0.999), study_.parameters()[b].name});
         for (const SetResult& set : result_.sets) {

@@ -83,7 +83,7 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
   json["best"] = {{"set", result.best}, {"score", result.sets[result.best].score}, {"values", Json::object()}};
   json["parameters"] = Json::array();
   for (std::size_t k = 0; k < study.parameters().size(); ++k) {
-    const SoughtParameter& parameter = study.parameters()[k];
+    const study::Parameter& parameter = study.parameters()[k];
     json["best"]["values"][parameter.name] = result.sets[result.best].values[k];
     std::vector<double> values;
     for (const SetResult& set : result.sets) values.push_back(set.values[k]);
@@ -160,7 +160,7 @@ std::string posterior_table(const PreparedStudy& study, const CalibrationResult&
   CsvRow header(text);
   header << "weight"
          << "score";
-  for (const SoughtParameter& parameter : study.parameters()) header << std::string_view(parameter.name);
+  for (const study::Parameter& parameter : study.parameters()) header << std::string_view(parameter.name);
   header.end();
   for (const SetResult& set : result.sets) {
     if (set.weight < negligible) continue;
@@ -181,7 +181,7 @@ std::string sets_table(const PreparedStudy& study, const CalibrationResult& resu
          << "score"
          << "log_likelihood"
          << "agrees";
-  for (const SoughtParameter& parameter : study.parameters()) header << std::string_view(parameter.name);
+  for (const study::Parameter& parameter : study.parameters()) header << std::string_view(parameter.name);
   header.end();
   for (std::size_t k = 0; k < result.sets.size(); ++k) {
     const SetResult& set = result.sets[k];
@@ -202,14 +202,14 @@ std::string sets_table(const PreparedStudy& study, const CalibrationResult& resu
 std::string project_with(const PreparedStudy& study, std::size_t site, const study::ParameterSet& values,
                          const std::filesystem::path& folder) {
   const study::PreparedSite& prepared = study.sites()[site];
-  const PreparedStudy::AtSite& here = study.at_site(site);
+  const study::PreparedSites::AtSite& here = study.prepared().at_site(site);
   const std::filesystem::path& file = prepared.project().file;
   project::Document document(project::text_of_file(file), file.string());
   Problems problems;
   for (const std::string& setting : study.study().sites[site].set) document.set(setting, problems);
   for (const std::string& setting : study.overrides()) document.set(setting, problems);
   const project::Project with = prepared.with(here.numbers, here.values(values));
-  for (const study::SettingNumber& number : here.numbers) {
+  for (const project::SettingNumber& number : here.numbers) {
     for (const std::string& setting : number.overrides(with)) document.set(setting, problems);
   }
   const auto absolute = [](const std::filesystem::path& path) {

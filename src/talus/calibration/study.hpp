@@ -10,19 +10,10 @@
 #include <vector>
 
 #include "talus/core/problems.hpp"
-#include "talus/project/project.hpp"
 #include "talus/project/settings.hpp"
-#include "talus/sampling/distribution.hpp"
+#include "talus/study/study_file.hpp"
 
 namespace talus::calibration {
-
-/// [[site]]
-struct StudySite {
-  std::string name;               // default: "site N"
-  std::filesystem::path project;  // as written in the file; relative to the study file
-  std::vector<std::string> set;   // `table.key=value`, as `--set` of the command line
-  int line = 0;
-};
 
 /// [[observations]]: exactly one of stops, marks, values and zones.
 struct StudyObservations {
@@ -46,16 +37,6 @@ struct StudyObservations {
   }
 };
 
-/// [[parameter]]
-struct StudyParameter {
-  std::string path;
-  std::vector<double> range;          // two numbers; or
-  std::optional<Distribution> prior;  // in the form of a project's distributions
-  std::vector<std::string> sites;     // empty: all, which share one value
-  bool each_site = false;             // every site has its own value
-  int line = 0;
-};
-
 /// [[model]]
 struct StudyModel {
   std::string name;
@@ -63,20 +44,13 @@ struct StudyModel {
   int line = 0;
 };
 
-struct Study {
-  std::filesystem::path file;  // as the user named it
-  std::string name;            // default: the file's stem
-  std::uint64_t seed = 1;
-  std::int64_t rocks = 200;   // of each set, at each site
+struct Study : study::StudyFile {
   std::int64_t draws = 1200;  // sets of parameters in all
   std::int64_t rounds = 3;
   std::int64_t folds = 0;
   bool hold_out_sites = false;
-  std::vector<StudySite> sites;
   std::vector<StudyObservations> observations;
-  std::vector<StudyParameter> parameters;
   std::vector<StudyModel> models;  // empty: the projects as they are
-  std::vector<project::NamedFile> named_files;
 };
 
 /// The tables of a study file, in the order of the reference.

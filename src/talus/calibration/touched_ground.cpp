@@ -62,8 +62,7 @@ std::vector<bool> changed_rocks(const study::SetOutcome& a, const study::SetOutc
 
 study::SetOutcome outcome_of(const PreparedStudy& study, std::size_t site, const study::ParameterSet& set,
                              bool keep_marks) {
-  const auto& here = study.at_site(site);
-  return study.sites()[site].run(here.numbers, here.values(set), {.keep_marks = keep_marks});
+  return study.prepared().run(site, set, {.keep_marks = keep_marks});
 }
 
 }  // namespace

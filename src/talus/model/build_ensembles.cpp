@@ -178,7 +178,7 @@ void add_ensembles(const Project& project, Model& model, Problems& warnings) {
   const std::uint64_t each = model.rocks() / ensembles;
   if (each < few_rocks)
     warn(project, "ensembles", fmt::format("an ensemble has {} of {} rocks", each, model.rocks()),
-         "the parts of rocks and parameters cannot be told apart", "Run more rocks, or fewer ensembles", warnings);
+         "the parts of rocks and parameters cannot be separated", "Run more rocks, or fewer ensembles", warnings);
   const bool is_one = std::ranges::all_of(model.drawn_parameters,
                                           [&](const auto& set) { return set == model.drawn_parameters.front(); });
   if (is_one)

@@ -1,6 +1,6 @@
 #pragma once
-// Runs a sensitivity study: the project's model is built once and run with many values of the inputs; the statistics of
-// the results give the effects.
+// Runs a sensitivity study: the models of its sites are built once and run with many values of the inputs; the
+// statistics of the results give the effects.
 
 #include <functional>
 #include <memory>
@@ -18,8 +18,9 @@ namespace talus::sensitivity {
 /// A number that varies. The last input of every study is the seed of the rocks: what it seems to cause is the noise of
 /// a finite number of rocks.
 struct Input {
-  std::string name;          // its path, or seed_name
+  std::string name;          // of the study's parameter, or seed_name
   std::string unit, values;  // "0.2 to 0.6"
+  int line = 0;              // of the study file
 };
 inline constexpr const char* seed_name = "(seed)";
 
@@ -32,14 +33,17 @@ struct Effect {
   [[nodiscard]] std::optional<Estimate> size() const;
 };
 
+/// Of a result at a site.
 struct ResultEffects {
-  std::string name, unit;
+  std::size_t result = 0, site = 0;  // of the study
+  std::string title;                 // the result's name; with `@SITE` if there are several sites
+  std::string unit;
   std::uint64_t defined = 0;                // runs in which it has a value
   std::optional<double> mean, least, most;  // over these
-  std::vector<Effect> of_inputs;
+  std::vector<Effect> of_inputs;            // empty ones of parameters that the site does not have
 };
 
-/// A run: the values of the inputs (the seed last) and of the results.
+/// A run at all sites: the values of the inputs (the seed last) and of the results at the sites.
 struct StudyRun {
   std::vector<double> inputs;
   std::vector<std::optional<double>> results;
@@ -54,20 +58,22 @@ struct Analysis {
 
 struct AnalysisOptions {
   int threads = 0;  // 0: as many as there are cores
-  /// Called with the number of finished runs, from any thread, one at a time.
-  std::function<void(std::uint64_t)> progress;
+  /// Called with the number of finished runs at one site, from any thread, one at a time.
+  std::function<void(std::uint64_t)> progress{};
 };
 
-/// A study with its project read and its model built.
+/// A study with its projects read and their models built.
 class PreparedStudy {
  public:
-  /// Throws BadInput with all problems of the study, its project and its paths.
-  explicit PreparedStudy(const Study& study);
+  /// Throws BadInput with all problems of the study, its projects and its paths; doubts are added to
+  /// `warnings`.
+  PreparedStudy(const Study& study, Problems& warnings);
   ~PreparedStudy();
   PreparedStudy(const PreparedStudy&) = delete;
   PreparedStudy& operator=(const PreparedStudy&) = delete;
 
-  [[nodiscard]] const Problems& warnings() const;
+  /// Runs of the whole study at each site: each has one set of values of all inputs.
+  [[nodiscard]] std::uint64_t runs() const;
   /// The same bits on any number of threads. Throws Stopped at the request of the thread's StopScope.
   [[nodiscard]] Analysis run(const AnalysisOptions& options) const;
 

@@ -25,9 +25,8 @@ class Doubts {
   Doubts(const Study& study, const Analysis& analysis) : study_(study), analysis_(analysis) {}
 
   Problems all() {
-    for (std::size_t r = 0; r < analysis_.results.size(); ++r) {
-      const ResultEffects& result = analysis_.results[r];
-      if (check_values(r, result)) check_effects(r, result);
+    for (const ResultEffects& result : analysis_.results) {
+      if (check_values(result)) check_effects(result);
     }
     for (std::size_t k = 0; k + 1 < analysis_.inputs.size(); ++k) check_input(k);
     return std::move(problems_);
@@ -45,31 +44,31 @@ class Doubts {
                    .why = std::move(why),
                    .hint = std::move(hint)});
   }
-  void warn_result(std::size_t r, std::string what, std::string why, std::string hint) {
-    warn(study_.results[r].line, fmt::format("[[result]] {}", r + 1),
-         fmt::format("{}: {}", analysis_.results[r].name, what), std::move(why), std::move(hint));
+  void warn_result(const ResultEffects& result, std::string what, std::string why, std::string hint) {
+    warn(study_.results[result.result].line, fmt::format("[[result]] {}", result.result + 1),
+         fmt::format("{}: {}", result.title, what), std::move(why), std::move(hint));
   }
 
   /// Whether it has effects.
-  bool check_values(std::size_t r, const ResultEffects& result) {
+  bool check_values(const ResultEffects& result) {
     const std::size_t runs = analysis_.runs.size();
     if (result.defined == 0) {
-      warn_result(r, "no run has a value", "no rock reaches the line in any run", "Check the line and the ranges");
+      warn_result(result, "no run has a value", "no rock reaches the line in any run", "Check the line and the ranges");
       return false;
     }
     if (result.defined < runs) {
-      warn_result(r, fmt::format("{} of {} runs have no value", runs - result.defined, runs),
+      warn_result(result, fmt::format("{} of {} runs have no value", runs - result.defined, runs),
                   "no rock reaches the line in these; the effects are those in the others",
                   "Look at the share of rocks as well");
     }
     if (!(*result.least < *result.most)) {
-      warn_result(r, fmt::format("is {:.6g} in all runs", *result.least), "nothing varies it", "");
+      warn_result(result, fmt::format("is {:.6g} in all runs", *result.least), "nothing varies it", "");
       return false;
     }
     return true;
   }
 
-  void check_effects(std::size_t r, const ResultEffects& result) {
+  void check_effects(const ResultEffects& result) {
     double largest = 0, reach = 0;
     for (const Effect& effect : result.of_inputs) {
       if (!effect.size()) continue;
@@ -80,7 +79,7 @@ class Doubts {
     const double wide = is_morris() ? wide_effect * largest : wide_index;
     if (reach > wide) {
       const double factor = (reach / wide) * (reach / wide);
-      warn_result(r, fmt::format("intervals reach {:.2g} to a side", reach),
+      warn_result(result, fmt::format("intervals reach {:.2g} to a side", reach),
                   is_morris() ? "the order of inputs is uncertain" : "an index is a share from 0 to 1",
                   runs_hint(factor));
     }
@@ -91,7 +90,7 @@ class Doubts {
       // The variance of a percentile or share falls as the number of rocks; an elementary effect is its square root.
       const double factor = is_morris() ? (share / much) * (share / much) : share / much;
       warn_result(
-          r,
+          result,
           fmt::format("the choice of rocks causes {:.0f} % of {}", 100 * share,
                       is_morris() ? "the largest effect" : "the variance"),
           fmt::format("{} rocks are few for it", study_.rocks),
@@ -120,8 +119,7 @@ class Doubts {
       if (size->value > (is_morris() ? negligible_effect * largest : negligible_index)) return;
     }
     if (!is_known) return;
-    warn(study_.inputs[k].line, fmt::format("[[parameter]] {}", k + 1),
-         fmt::format("no result depends on {}", analysis_.inputs[k].name),
+    warn(analysis_.inputs[k].line, fmt::format("parameter \"{}\"", analysis_.inputs[k].name), "no result depends on it",
          is_morris() ? "its effects are less than a twentieth of the largest" : "its total index is 0.02 at most",
          "Leave it at its value");
   }

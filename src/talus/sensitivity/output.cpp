@@ -17,8 +17,12 @@ void write_text(const std::filesystem::path& file, const std::string& text) {
   out.commit();
 }
 
-EffectRow row_of(const Input& input, const ResultEffects& result, const Effect& effect) {
-  EffectRow row{.result = result.name, .unit = result.unit, .input = input.name, .values = input.values};
+EffectRow row_of(const Study& study, const Input& input, const ResultEffects& result, const Effect& effect) {
+  EffectRow row{.site = study.sites[result.site].name,
+                .result = study.results[result.result].name,
+                .unit = result.unit,
+                .input = input.name,
+                .values = input.values};
   if (const auto& e = effect.elementary) {
     row.effect = e->magnitude.value;
     row.effect_low = e->magnitude.low;
@@ -37,11 +41,11 @@ EffectRow row_of(const Input& input, const ResultEffects& result, const Effect& 
   return row;
 }
 
-std::string effects_text(const Analysis& analysis) {
+std::string effects_text(const Study& study, const Analysis& analysis) {
   std::string text = header_of<EffectRow>();
   for (const ResultEffects& result : analysis.results) {
     for (std::size_t k = 0; k < analysis.inputs.size(); ++k)
-      append_row(text, row_of(analysis.inputs[k], result, result.of_inputs[k]));
+      if (result.of_inputs[k].size()) append_row(text, row_of(study, analysis.inputs[k], result, result.of_inputs[k]));
   }
   return text;
 }
@@ -49,7 +53,7 @@ std::string effects_text(const Analysis& analysis) {
 std::string runs_text(const Analysis& analysis) {
   std::vector<std::string> names;
   for (const Input& input : analysis.inputs) names.push_back(input.name);
-  for (const ResultEffects& result : analysis.results) names.push_back(result.name);
+  for (const ResultEffects& result : analysis.results) names.push_back(result.title);
   std::string text = header_of<RunRow>(names);
   RunRow row;
   for (const StudyRun& run : analysis.runs) {
@@ -81,13 +85,17 @@ Json json_of(const Effect& effect) {
 }
 
 Json summary_of(const Study& study, const Analysis& analysis, double seconds) {
-  Json inputs = Json::array(), results = Json::array(), warnings = Json::array();
+  Json sites = Json::array(), inputs = Json::array(), results = Json::array(), warnings = Json::array();
+  for (const study::GivenSite& site : study.sites)
+    sites.push_back({{"name", site.name}, {"project", site.project.string()}});
   for (const Input& input : analysis.inputs)
     inputs.push_back({{"name", input.name}, {"unit", input.unit}, {"values", input.values}});
   for (const ResultEffects& result : analysis.results) {
     Json effects = Json::array();
     for (const Effect& effect : result.of_inputs) effects.push_back(json_of(effect));
-    results.push_back({{"name", result.name},
+    results.push_back({{"title", result.title},
+                       {"name", study.results[result.result].name},
+                       {"site", study.sites[result.site].name},
                        {"unit", result.unit},
                        {"runs", result.defined},
                        {"mean", or_null(result.mean)},
@@ -98,7 +106,7 @@ Json summary_of(const Study& study, const Analysis& analysis, double seconds) {
   for (const Problem& problem : analysis.warnings.list()) warnings.push_back(problem.text());
   return {{"talus", {{"version", TALUS_VERSION}}},
           {"name", study.name},
-          {"project", study.project.string()},
+          {"sites", std::move(sites)},
           {"method", name(study.method)},
           {"seed", study.seed},
           {"rocks", study.rocks},
@@ -119,7 +127,7 @@ std::vector<ColumnText> RunRow::family_texts() {
 void write_results(const std::filesystem::path& folder, const Study& study, const Analysis& analysis, double seconds) {
   make_output_folder(folder);
   const Json summary = summary_of(study, analysis, seconds);
-  write_text(folder / EffectRow::file_name, effects_text(analysis));
+  write_text(folder / EffectRow::file_name, effects_text(study, analysis));
   write_text(folder / RunRow::file_name, runs_text(analysis));
   write_text(folder / "report.html", study_page(study.name, summary));
   write_text(folder / "summary.json", summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

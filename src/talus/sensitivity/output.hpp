@@ -16,15 +16,17 @@ namespace talus::sensitivity {
 struct EffectRow {
   static constexpr const char* file_name = "sensitivity.csv";
 
-  std::string result{}, unit{}, input{}, values{};
+  std::string site{}, result{}, unit{}, input{}, values{};
   std::optional<double> effect{}, effect_low{}, effect_high{}, mean_effect{}, spread{};
   std::optional<double> total{}, total_low{}, total_high{}, first{}, first_low{}, first_high{};
 
   static constexpr auto columns() {
     using R = EffectRow;
     return std::tuple(
-        word("result", "name of the result", &R::result), word("unit", "its unit", &R::unit),
-        word("input", "path of the parameter; `(seed)`: which rocks are drawn", &R::input),
+        word("site", "name of the site", &R::site), word("result", "name of the result", &R::result),
+        word("unit", "its unit", &R::unit),
+        word("input", "path of the parameter, with `@SITE` if each site has its own; `(seed)`: which rocks are drawn",
+             &R::input),
         word("values", "its range or distribution", &R::values),
         quantity("effect", "",
                  "`morris`: mean magnitude of the elementary effects, mu*, in units of the result over "

@@ -21,8 +21,8 @@ class PreparedSite::Worker {
   explicit Worker(const PreparedSite& site) : site_(site), model_(site.model_.without_surface()) {}
 
   /// Nullopt if it was stopped.
-  std::optional<SetOutcome> run(std::span<const SettingNumber> parameters, const ParameterSet& set, const SetRuns& how,
-                                std::uint64_t seed) {
+  std::optional<SetOutcome> run(std::span<const project::SettingNumber> parameters, const ParameterSet& set,
+                                const SetRuns& how, std::uint64_t seed) {
     project::set_properties(site_.with(parameters, set), model_);
     model_.seed = seed;
     Simulator simulator(model_, site_.model_.surface);
@@ -61,7 +61,8 @@ class PreparedSite::Worker {
 PreparedSite::PreparedSite(const project::Project& project, Problems& warnings)
     : project_(project::read_samples(project, warnings)), model_(project::build_model(project_, warnings)) {}
 
-project::Project PreparedSite::with(std::span<const SettingNumber> parameters, const ParameterSet& values) const {
+project::Project PreparedSite::with(std::span<const project::SettingNumber> parameters,
+                                    const ParameterSet& values) const {
   project::Project project = project_;
   for (std::size_t k = 0; k < parameters.size(); ++k) {
     if (auto why = parameters[k].set(project, values[k])) {
@@ -75,7 +76,7 @@ project::Project PreparedSite::with(std::span<const SettingNumber> parameters, c
   return project;
 }
 
-void PreparedSite::run(std::span<const SettingNumber> parameters, std::span<const ParameterSet> sets,
+void PreparedSite::run(std::span<const project::SettingNumber> parameters, std::span<const ParameterSet> sets,
                        const SetRuns& how, const std::function<void(std::size_t, SetOutcome&&)>& take) const {
   for (const ParameterSet& set : sets) static_cast<void>(with(parameters, set));
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
@@ -95,7 +96,7 @@ void PreparedSite::run(std::span<const SettingNumber> parameters, std::span<cons
   if (was_stopped) throw Stopped{};
 }
 
-SetOutcome PreparedSite::run(std::span<const SettingNumber> parameters, const ParameterSet& set,
+SetOutcome PreparedSite::run(std::span<const project::SettingNumber> parameters, const ParameterSet& set,
                              const SetRuns& how) const {
   if (auto outcome = Worker(*this).run(parameters, set, how, how.seeds.empty() ? model_.seed : how.seeds.front()))
     return std::move(*outcome);

@@ -10,9 +10,9 @@
 #include "talus/barriers/barrier.hpp"
 #include "talus/campaign/model.hpp"
 #include "talus/core/problems.hpp"
+#include "talus/project/parameter.hpp"
 #include "talus/project/project.hpp"
 #include "talus/rocks/motion.hpp"
-#include "talus/study/parameter.hpp"
 
 namespace talus::study {
 
@@ -81,17 +81,18 @@ class PreparedSite {
   [[nodiscard]] const Model& model() const { return model_; }
 
   /// The project with these values. Throws BadInput if they cannot be.
-  [[nodiscard]] project::Project with(std::span<const SettingNumber> parameters, const ParameterSet& values) const;
+  [[nodiscard]] project::Project with(std::span<const project::SettingNumber> parameters,
+                                      const ParameterSet& values) const;
 
   /// Runs each set of parameters, several at the same time, each in one thread, and calls `take(k, outcome)` for set k
   /// as soon as it is done, from any thread. All sets have the same draws (common random numbers): what differs between
   /// two sets is the parameters' effect. The outcome of a set depends on nothing but the project and its values.
   /// Throws BadInput, before any run, if values cannot be; Stopped, if the thread's StopScope is requested to stop:
   /// sets in progress are then dropped.
-  void run(std::span<const SettingNumber> parameters, std::span<const ParameterSet> sets, const SetRuns& how,
+  void run(std::span<const project::SettingNumber> parameters, std::span<const ParameterSet> sets, const SetRuns& how,
            const std::function<void(std::size_t, SetOutcome&&)>& take) const;
   /// One set, in this thread.
-  [[nodiscard]] SetOutcome run(std::span<const SettingNumber> parameters, const ParameterSet& set,
+  [[nodiscard]] SetOutcome run(std::span<const project::SettingNumber> parameters, const ParameterSet& set,
                                const SetRuns& how = {}) const;
 
  private:

@@ -18,8 +18,8 @@ function tornadoFigure(parent, result) {
     inner: isMorris ? null : effect.first[0], mark: isMorris ? effect.mean_effect / per : null,
   }));
   figure(parent, {
-    title: result.name, width: drawing.wide, tall: 74 + 30 * bars.length,
-    label: `Effects of ${bars.length} inputs on ${result.name}`,
+    title: result.title, width: drawing.wide, tall: 74 + 30 * bars.length,
+    label: `Effects of ${bars.length} inputs on ${result.title}`,
     caption: isMorris ? 'Bars: mean magnitude of the change of the result over the whole range of an input (μ*), with its confidence interval. Diamonds: mean with sign (μ); to the left, more of the input gives less of the result. Grey: the noise of a finite number of rocks.'
       : 'Bars: share of the variance that the input causes alone (first-order index, filled) and with others (total index, outline), with the confidence interval of the total. Grey: the noise of a finite number of rocks.',
     fill: (node, room) => figures.tornado(node, room, {title: isMorris ? 'Effect' : 'Share of the variance', unit, per: 1, bars}),
@@ -31,7 +31,7 @@ function effectsTable(parent, result) {
   const {unit, per} = isMorris ? shownIn(result) : {unit: '', per: 1};
   const cell = ([value, low, high]) => ({text: measured(value / per, 3), below: isNumber(low) && isNumber(high) ? `${measured(low / per, 3)} to ${measured(high / per, 3)}` : undefined});
   table(parent, {
-    caption: `Effects on ${result.name}; below each the ${number(100 * page.confidence)} % confidence interval`,
+    caption: `Effects on ${result.title}; below each the ${number(100 * page.confidence)} % confidence interval`,
     head: [['Input', 'Values', ...(isMorris ? [{text: 'Effect μ*', unit}, {text: 'Mean μ', unit}, {text: 'Spread σ', unit}] : ['Total index', 'First-order index'])]],
     rows: ranked(result).map(({effect, input}) => [nameOf(input), `${input.values}${input.unit ? ` ${input.unit}` : ''}`,
       ...(isMorris ? [cell(effect.effect), measured(effect.mean_effect / per, 3), measured(effect.spread / per, 3)] : [cell(effect.total), cell(effect.first)])]),
@@ -51,7 +51,7 @@ function resultText(result) {
   element(head, 'h1', page.name);
   const facts = element(head, 'p', null, {class: 'facts'});
   const method = isMorris ? 'Morris screening' : 'Sobol indices';
-  [['Project ', page.project], ['Method ', method], ['Runs ', number(page.runs)], ['Rocks each ', number(page.rocks)], ['Seed ', String(page.seed)], ['Talus ', page.talus.version]]
+  [[page.sites.length > 1 ? 'Sites ' : 'Project ', page.sites.map((site) => page.sites.length > 1 ? `${site.name} (${site.project})` : site.project).join(', ')], ['Method ', method], ['Runs ', number(page.runs)], ['Rocks each ', number(page.rocks)], ['Seed ', String(page.seed)], ['Talus ', page.talus.version]]
     .forEach(([label, value], i) => {
       facts.append('span').text((i ? '  ·  ' : '') + label);
       element(facts, 'b', value);
@@ -64,14 +64,14 @@ function resultText(result) {
     for (const warning of page.warnings) element(list, 'li', warning);
   }
   page.results.forEach((result, k) => {
-    const node = element(main, 'section', null, {id: `result-${k}`, 'aria-label': result.name});
-    element(node, 'h2', result.name.charAt(0).toUpperCase() + result.name.slice(1));
+    const node = element(main, 'section', null, {id: `result-${k}`, 'aria-label': result.title});
+    element(node, 'h2', result.title.charAt(0).toUpperCase() + result.title.slice(1));
     element(node, 'p', resultText(result));
     if (ranked(result).length) {
       tornadoFigure(node, result);
       effectsTable(node, result);
     }
-    element(d3.select('#contents'), 'a', result.name, {href: `#result-${k}`});
+    element(d3.select('#contents'), 'a', result.title, {href: `#result-${k}`});
   });
   element(main, 'p', isMorris ? 'A spread σ as large as μ* shows an effect that depends on the input itself or on other inputs. The order of effects counts, not their digits.'
     : 'The first-order index is the share of the variance that would vanish if the input were known; the total index is the share that would remain if all others were. Their difference is the part of interactions. First-order indices that add up to 1 mean that inputs act one by one.', {class: 'quiet'});
