@@ -7,7 +7,7 @@
 
 #include "talus/calibration/observation_table.hpp"
 #include "talus/calibration/observed_places.hpp"
-#include "talus/calibration/zones.hpp"
+#include "talus/calibration/zone_checks.hpp"
 #include "talus/files/data_table.hpp"
 #include "talus/import/vector_file.hpp"
 
@@ -42,7 +42,6 @@ class ZoneReader {
     }
     throw_if_any();
     check_amounts();
-    check_overlaps();
     throw_if_any();
     ReadZones read;
     read.sample = sample();
@@ -135,7 +134,7 @@ class ZoneReader {
     for (std::size_t k = 0; k < zones_.list.size(); ++k) {
       if (!is_2d_) add_polygon(k, {outlines[k]});
     }
-    check_extents();
+    check_zone_places(zones_.list, places_, site_, problems_, warnings_);
   }
 
   void from_map() {
@@ -175,7 +174,7 @@ class ZoneReader {
       places_.push_back(place);
       for (const VectorShape& part : feature.parts) add_polygon(zones_.list.size() - 1, part.lists);
     }
-    check_extents();
+    check_zone_places(zones_.list, places_, site_, problems_, warnings_);
   }
 
   void add_polygon(std::size_t k, const std::vector<std::vector<Vec3>>& rings) {
@@ -198,86 +197,6 @@ class ZoneReader {
     all.front().resize(outer.size());
     zones_.list[k].polygons.emplace_back(all);
     zones_.list[k].outlines.push_back(std::move(outer));
-  }
-
-  void check_extents() {
-    for (std::size_t k = 0; k < zones_.list.size(); ++k) {
-      ObservedZone& zone = zones_.list[k];
-      std::vector<Vec2> corners{{zone.from, 0}, {zone.to, 0}};
-      if (!is_2d_) {
-        corners.clear();
-        for (const std::vector<Vec2>& outline : zone.outlines)
-          corners.insert(corners.end(), outline.begin(), outline.end());
-      }
-      if (is_2d_ && !(zone.from < zone.to)) {
-        at(places_[k], fmt::format("zone \"{}\" extends from {:g} to {:g} m", zone.name, zone.from, zone.to),
-           "expected from_m below to_m", zone.from > zone.to ? "Exchange the two" : "");
-        continue;
-      }
-      const auto off = static_cast<std::size_t>(
-          std::ranges::count_if(corners, [&](const Vec2& corner) { return !elevation_at(site_, corner).has_value(); }));
-      if (off == 0) continue;
-      if (off == corners.size() && !reaches_terrain(zone)) {
-        at(places_[k], fmt::format("zone \"{}\" is off the terrain", zone.name), extent_of(site_),
-           "It may be in another coordinate system, or the terrain must be extended");
-      } else {
-        warnings_.add({Severity::warning, file_.string(), places_[k].line, places_[k].where,
-                       fmt::format("zone \"{}\" is partly off the terrain", zone.name),
-                       "simulated rocks that get there leave the model", "Extend the terrain"});
-      }
-    }
-  }
-
-  /// Whether a place of the terrain, on a grid of its extent, is in the zone.
-  [[nodiscard]] bool reaches_terrain(const ObservedZone& zone) const {
-    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, site_.model().surface);
-    const Vec2 low = site_.model().frame.global_from_local(box.low).head<2>();
-    const Vec2 high = site_.model().frame.global_from_local(box.high).head<2>();
-    return on_grid(low, high, [&](const Vec2& p) { return zone.contains(p) && elevation_at(site_, p).has_value(); }) >
-           0;
-  }
-
-  /// How many places of a grid have a property.
-  template <class Property>
-  static int on_grid(const Vec2& low, const Vec2& high, Property&& has) {
-    constexpr int places = 100;
-    int count = 0;
-    for (int i = 0; i < places; ++i) {
-      for (int j = 0; j < places; ++j) {
-        const Vec2 p{low.x() + (high.x() - low.x()) * (i + 0.5) / places,
-                     low.y() + (high.y() - low.y()) * (j + 0.5) / places};
-        count += has(p) ? 1 : 0;
-      }
-    }
-    return count;
-  }
-
-  void check_overlaps() {
-    const auto extent = [](const ObservedZone& zone) {
-      Vec2 low = Vec2::Constant(INFINITY), high = Vec2::Constant(-INFINITY);
-      for (const PlanPolygon& polygon : zone.polygons) {
-        low = low.cwiseMin(polygon.low());
-        high = high.cwiseMax(polygon.high());
-      }
-      return std::pair{low, high};
-    };
-    for (std::size_t a = 0; a < zones_.list.size(); ++a) {
-      for (std::size_t b = a + 1; b < zones_.list.size(); ++b) {
-        const ObservedZone &one = zones_.list[a], &other = zones_.list[b];
-        bool overlap = std::min(one.to, other.to) > std::max(one.from, other.from);
-        if (!is_2d_) {
-          const auto [low_a, high_a] = extent(one);
-          const auto [low_b, high_b] = extent(other);
-          const Vec2 low = low_a.cwiseMax(low_b), high = high_a.cwiseMin(high_b);
-          overlap = low.x() < high.x() && low.y() < high.y() &&
-                    on_grid(low, high, [&](const Vec2& p) { return one.contains(p) && other.contains(p); }) > 0;
-        }
-        if (overlap) {
-          at(places_[b], fmt::format("zones \"{}\" and \"{}\" overlap", one.name, other.name),
-             "a rock lies in one zone", "");
-        }
-      }
-    }
   }
 
   void check_amounts() {
