@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <vector>
 
@@ -13,7 +12,6 @@
 #include "stop_signals.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/files/folder_lock.hpp"
 #include "talus/sensitivity/analysis.hpp"
 #include "talus/sensitivity/output.hpp"
 
@@ -43,19 +41,17 @@ void print_effects(const sensitivity::Study& study, const sensitivity::Analysis&
 }
 
 int analyse(const SensitivityOptions& options) {
-  using Clock = std::chrono::steady_clock;
   take_threads(options.threads);
+  catch_stop_signals();
+  const StopScope scope(&stop_wanted());
   const auto [study, doubts] = sensitivity::read_study(options.study);
   Problems warnings = doubts;
   const sensitivity::PreparedStudy prepared(study, warnings);
   print_warnings(warnings);
   const std::filesystem::path folder =
       options.folder.empty() ? options.study.parent_path() / study.name : options.folder;
-  const FolderLock lock = lock_output_folder(folder);
-  catch_stop_signals();
-  const StopScope scope(&stop_wanted());
   std::optional<Progress> progress;
-  sensitivity::AnalysisOptions how{.threads = options.threads, .progress = {}};
+  sensitivity::AnalysisOptions how{.threads = options.threads};
   const auto rocks = static_cast<std::uint64_t>(study.rocks);
   if (!options.quiet) {
     const std::size_t sites = study.sites.size();
@@ -65,11 +61,8 @@ int analyse(const SensitivityOptions& options) {
     progress.emplace(prepared.runs() * sites * rocks);
     how.progress = [&](std::uint64_t done) { (*progress)(done * rocks); };
   }
-  const auto begin = Clock::now();
-  const sensitivity::Analysis analysis = prepared.run(how);
-  const double seconds = std::chrono::duration<double>(Clock::now() - begin).count();
+  const sensitivity::Analysis analysis = sensitivity::analyse_into(folder, study, prepared, how);
   progress.reset();
-  sensitivity::write_results(folder, study, analysis, seconds);
   print_warnings(analysis.warnings);
   if (!options.quiet) {
     print_effects(study, analysis);
@@ -84,7 +77,7 @@ int sensitivity(const SensitivityOptions& options) {
   try {
     return analyse(options);
   } catch (const Stopped&) {
-    to_stderr("stopped before all runs were finished; nothing was written\n");
+    to_stderr("stopped; finished runs are kept, and the same command continues from there\n");
     return stopped;
   }
 }

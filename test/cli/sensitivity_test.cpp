@@ -40,7 +40,7 @@ TEST(SensitivityCommand, WritesTheSameFilesOnAnyNumberOfThreads) {
   EXPECT_THAT(said.text, HasSubstr("slope: 20 runs of 20 rocks"));
   EXPECT_THAT(said.text, HasSubstr("material.*.friction_angle_deg"));
   EXPECT_EQ(talus_says("sensitivity " + study + " --threads 2 --quiet -o " + (place / "again").string()).exit_code, 0);
-  for (const char* file : {"sensitivity.csv", "runs.csv"}) {
+  for (const char* file : {"sensitivity.csv", "runs.csv", "summary.json", "report.html"}) {
     EXPECT_EQ(place.read(std::string("slope/") + file), place.read(std::string("again/") + file)) << file;
   }
   EXPECT_THAT(place.read("slope/sensitivity.csv"),

@@ -43,6 +43,29 @@ TEST_F(CtrlC, AbandonsALongRockAndKeepsAllBeforeIt) {
   EXPECT_TRUE(std::filesystem::exists(work / "out/run.state"));
 }
 
+TEST_F(CtrlC, StopsASensitivityStudy) {
+  work.write("endless.toml", testing_tools::endless_slope(17'000, 5));
+  const std::string study = work.write("study.toml", R"(
+rocks = 17005
+[[site]]
+project = "endless.toml"
+[[parameter]]
+path = "material.Rock.friction_angle_deg"
+range = [5.70, 5.71]
+[[result]]
+quantity = "runout"
+)");
+  Child child({"sensitivity", study, "--threads", "2", "-q", "-o", (work / "out").string()}, work / "said");
+  std::this_thread::sleep_for(3s);
+  child.signal(SIGINT);
+  const auto begin = Clock::now();
+  EXPECT_EQ(child.wait(), 3);
+  EXPECT_LT(Clock::now() - begin, 1min);
+  const std::string said = work.read("said");
+  EXPECT_TRUE(said.ends_with("stopped; finished runs are kept, and the same command continues from there\n")) << said;
+  EXPECT_FALSE(std::filesystem::exists(work / "out/summary.json"));
+}
+
 TEST_F(CtrlC, StopsBeforeTheFirstRockIsFinished) {
   const std::string said = said_when_stopped(1);
   EXPECT_TRUE(said.ends_with("stopped before the first rock was finished\n")) << said;

@@ -5,10 +5,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/sensitivity/output.hpp"
 
 namespace talus::sensitivity {
 namespace {
@@ -56,6 +62,13 @@ name = "runout"
 quantity = "runout"
 percentile = 50
 )";
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return std::move(text).str();
+}
 
 class SensitivityAnalysis : public testing_tools::InputFolder {
  protected:
@@ -134,6 +147,46 @@ TEST_F(SensitivityAnalysis, GivesResultsOfEachSite) {
   EXPECT_FALSE(own.results[0].of_inputs[1].size());
   EXPECT_FALSE(own.results[1].of_inputs[0].size());
   EXPECT_LT(own.results[1].of_inputs[1].elementary->mean, -2);
+}
+
+TEST_F(SensitivityAnalysis, ContinuesAfterAStopWithTheSameFiles) {
+  write("slope.toml", sliding);
+  write("study.toml", "method = \"morris\"\ntrajectories = 40\n" + study_head);
+  const Study study = read_study(path("study.toml")).study;
+  const PreparedStudy prepared(study, warnings_);
+  ASSERT_EQ(prepared.runs(), 160u);
+  static_cast<void>(analyse_into(path("whole"), study, prepared, {.threads = 2}));
+  std::atomic<bool> stop{false};
+  {
+    const StopScope scope(&stop);
+    const AnalysisOptions until_stopped{.threads = 1, .progress = [&](std::uint64_t done) { stop = done > 110; }};
+    EXPECT_THROW(static_cast<void>(analyse_into(path("stopped"), study, prepared, until_stopped)), Stopped);
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("stopped/summary.json")));
+  const auto kept = path("stopped/sets/0000000.sets");
+  ASSERT_TRUE(std::filesystem::exists(kept));
+  const auto written = std::filesystem::last_write_time(kept);
+  static_cast<void>(analyse_into(path("stopped"), study, prepared, {.threads = 1}));
+  EXPECT_EQ(std::filesystem::last_write_time(kept), written);
+  for (const char* file : {"sensitivity.csv", "runs.csv", "summary.json", "report.html"}) {
+    EXPECT_NE(content_of(path("whole") / file), "") << file;
+    EXPECT_EQ(content_of(path("whole") / file), content_of(path("stopped") / file)) << file;
+  }
+}
+
+TEST_F(SensitivityAnalysis, RunsAnotherStudyAnew) {
+  write("slope.toml", sliding);
+  const auto table = [&](const std::string& text) {
+    write("study.toml", "method = \"morris\"\ntrajectories = 4\n" + text);
+    const Study study = read_study(path("study.toml")).study;
+    static_cast<void>(analyse_into(path("out"), study, PreparedStudy(study, warnings_), {}));
+    return content_of(path("out/runs.csv"));
+  };
+  const std::string first = table(study_head);
+  const std::string other = table(testing_tools::replaced(study_head, "percentile = 50", "percentile = 99"));
+  EXPECT_EQ(first.substr(0, first.find('\n')), other.substr(0, other.find('\n')));
+  write("slope.toml", testing_tools::replaced(sliding, "[10, -10], [200, -10]", "[10, -20], [200, -20]"));
+  EXPECT_NE(table(study_head), first);
 }
 
 TEST_F(SensitivityAnalysis, RefusesWhatTheProjectDoesNotHave) {

@@ -7,12 +7,13 @@
 #include <sstream>
 
 #include "talus/calibration/doubts.hpp"
-#include "talus/calibration/saved_sets.hpp"
+#include "talus/calibration/saved_samples.hpp"
 #include "talus/calibration/zone_prediction.hpp"
 #include "talus/files/csv_text.hpp"
 #include "talus/files/folder_lock.hpp"
 #include "talus/files/output_file.hpp"
 #include "talus/project/document.hpp"
+#include "talus/study/saved_sets.hpp"
 
 namespace talus::calibration {
 
@@ -244,14 +245,18 @@ CalibrationResult calibrate_into(const std::filesystem::path& folder, const Prep
                                  const FolderOptions& options) {
   make_output_folder(folder);
   const FolderLock lock = lock_output_folder(folder);
-  const std::filesystem::path sets = folder / "sets";
-  make_output_folder(sets);
-  const SavedSets saved(sets, study.fingerprint());
-  CalibrationResult result = calibrate(
-      study, {.threads = options.threads,
-              .progress = options.progress,
-              .known = [&](std::size_t set) { return saved.of(set); },
-              .finished = [&](std::size_t first, const std::vector<SetResult>& done) { saved.save(first, done); }});
+  const study::SavedSets saved(folder, study.fingerprint());
+  const auto known = [&](std::size_t set) -> std::optional<std::vector<Sample>> {
+    const auto bytes = saved.of(set);
+    return bytes ? samples_in(*bytes) : std::nullopt;
+  };
+  const auto save = [&](std::size_t first, const std::vector<SetResult>& sets) {
+    std::vector<std::string> results;
+    for (const SetResult& set : sets) results.push_back(bytes_of(set.samples));
+    saved.save(first, results);
+  };
+  CalibrationResult result =
+      calibrate(study, {.threads = options.threads, .progress = options.progress, .known = known, .finished = save});
   write_results(folder, study, result);
   return result;
 }

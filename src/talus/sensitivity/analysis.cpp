@@ -7,6 +7,8 @@
 #include <mutex>
 
 #include "talus/core/nearest.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/files/checksum.hpp"
 #include "talus/sensitivity/doubts.hpp"
 #include "talus/study/prepared_sites.hpp"
 
@@ -89,6 +91,7 @@ struct PreparedStudy::Parts {
   std::vector<SiteResults> results;  // by site
   std::optional<MorrisDesign> morris;
   std::optional<SobolDesign> sobol;
+  std::string fingerprint;
 
   Parts(const Study& given, Problems& warnings) : study(given), results(study.sites.size()) {
     Problems problems;
@@ -109,6 +112,21 @@ struct PreparedStudy::Parts {
     } else {
       sobol.emplace(SobolPlan{.inputs = inputs, .rows = static_cast<std::size_t>(study.rows), .seed = study.seed});
     }
+    identify();
+  }
+
+  void identify() {
+    Checksum checksum;
+    sites.add_to(checksum);
+    checksum.add(fmt::format("{} {} {} {}", name(study.method), points().size(), study.seed, study.rocks));
+    for (const SiteResults& site : results) {
+      for (const std::size_t k : site.of()) {
+        const StudyResult& result = study.results[k];
+        checksum.add(fmt::format("{} {} {};", result.quantity, result.percentile, result.at));
+      }
+      checksum.add("|");
+    }
+    fingerprint = text_of(checksum.digest());
   }
 
   [[nodiscard]] const std::vector<std::vector<double>>& points() const {
@@ -155,9 +173,83 @@ struct PreparedStudy::Parts {
   }
 };
 
+/// Makes the runs, or takes those that are known.
+class PreparedStudy::Runs {
+ public:
+  Runs(const Parts& parts, const AnalysisOptions& options) : parts_(parts), options_(options) {
+    std::size_t columns = 0;
+    for (const SiteResults& site : parts.results) columns += site.of().size();
+    for (const std::vector<double>& point : parts.points()) {
+      StudyRun& run = runs_.emplace_back();
+      for (std::size_t k = 0; k + 1 < point.size(); ++k) run.inputs.push_back(parts.value(k, point[k]));
+      sets_.push_back(run.inputs);
+      seeds_.push_back(parts.seed(point.back()));
+      run.inputs.push_back(static_cast<double>(seeds_.back()));
+      run.results.resize(columns);
+    }
+  }
+
+  std::vector<StudyRun> all() {
+    constexpr std::size_t runs_at_once = 96;  // between calls of `finished`
+    for (std::size_t first = 0; first < runs_.size(); first += runs_at_once)
+      run_batch(first, std::min(first + runs_at_once, runs_.size()));
+    return std::move(runs_);
+  }
+
+ private:
+  void run_batch(std::size_t first, std::size_t last) {
+    stop_point();
+    std::vector<std::size_t> unknown;
+    for (std::size_t k = first; k < last; ++k) {
+      auto known = options_.known ? options_.known(k) : std::nullopt;
+      if (!known || known->size() != runs_[k].results.size()) {
+        unknown.push_back(k);
+      } else {
+        runs_[k].results = std::move(*known);
+        add_done(parts_.results.size());
+      }
+    }
+    if (unknown.empty()) return;
+    run(unknown);
+    if (options_.finished) options_.finished(first, std::span(runs_).subspan(first, last - first));
+  }
+
+  void run(const std::vector<std::size_t>& which) {
+    std::vector<study::ParameterSet> sets;
+    study::SetRuns how{.threads = options_.threads};
+    for (const std::size_t k : which) {
+      sets.push_back(sets_[k]);
+      how.seeds.push_back(seeds_[k]);
+    }
+    std::ptrdiff_t column = 0;
+    for (std::size_t site = 0; site < parts_.results.size(); ++site) {
+      parts_.sites.run(site, sets, how, [&](std::size_t k, study::SetOutcome&& outcome) {
+        std::ranges::copy(parts_.results[site].values(outcome), runs_[which[k]].results.begin() + column);
+        add_done(1);
+      });
+      column += static_cast<std::ptrdiff_t>(parts_.results[site].of().size());
+    }
+  }
+
+  void add_done(std::size_t site_runs) {
+    const std::lock_guard lock(counting_);
+    done_ += site_runs;
+    if (options_.progress) options_.progress(done_);
+  }
+
+  const Parts& parts_;
+  const AnalysisOptions& options_;
+  std::vector<StudyRun> runs_;
+  std::vector<study::ParameterSet> sets_;  // by run
+  std::vector<std::uint64_t> seeds_;       // by run
+  std::mutex counting_;
+  std::uint64_t done_ = 0;  // runs at one site
+};
+
 PreparedStudy::PreparedStudy(const Study& study, Problems& warnings)
     : parts_(std::make_unique<Parts>(study, warnings)) {}
 PreparedStudy::~PreparedStudy() = default;
+const std::string& PreparedStudy::fingerprint() const { return parts_->fingerprint; }
 std::uint64_t PreparedStudy::runs() const { return parts_->points().size(); }
 
 Analysis PreparedStudy::run(const AnalysisOptions& options) const {
@@ -165,31 +257,7 @@ Analysis PreparedStudy::run(const AnalysisOptions& options) const {
   const Study& study = parts.study;
   const std::vector<study::Parameter>& parameters = parts.sites.parameters();
   Analysis all;
-  std::vector<study::ParameterSet> sets;
-  study::SetRuns how{.threads = options.threads};
-  std::size_t columns = 0;
-  for (const SiteResults& site : parts.results) columns += site.of().size();
-  for (const std::vector<double>& point : parts.points()) {
-    StudyRun& run = all.runs.emplace_back();
-    for (std::size_t k = 0; k < parameters.size(); ++k) run.inputs.push_back(parts.value(k, point[k]));
-    sets.push_back(run.inputs);
-    how.seeds.push_back(parts.seed(point.back()));
-    run.inputs.push_back(static_cast<double>(how.seeds.back()));
-    run.results.resize(columns);
-  }
-  std::mutex counting;
-  std::uint64_t done = 0;
-  std::size_t column = 0;
-  for (std::size_t site = 0; site < study.sites.size(); ++site) {
-    parts.sites.run(site, sets, how, [&](std::size_t k, study::SetOutcome&& outcome) {
-      std::ranges::copy(parts.results[site].values(outcome),
-                        all.runs[k].results.begin() + static_cast<std::ptrdiff_t>(column));
-      const std::lock_guard lock(counting);
-      ++done;
-      if (options.progress) options.progress(done);
-    });
-    column += parts.results[site].of().size();
-  }
+  all.runs = Runs(parts, options).all();
 
   for (const study::Parameter& parameter : parameters)
     all.inputs.push_back({parameter.name, parameter.unit, parameter.prior.text(), parameter.line});

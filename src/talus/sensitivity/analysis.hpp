@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,13 @@ struct ResultEffects {
   std::vector<Effect> of_inputs;            // empty ones of parameters that the site does not have
 };
 
+/// The results of a run at all sites, site by site; nullopt: no rock reaches the line.
+using RunResults = std::vector<std::optional<double>>;
+
 /// A run at all sites: the values of the inputs (the seed last) and of the results at the sites.
 struct StudyRun {
   std::vector<double> inputs;
-  std::vector<std::optional<double>> results;
+  RunResults results;
 };
 
 struct Analysis {
@@ -58,8 +62,12 @@ struct Analysis {
 
 struct AnalysisOptions {
   int threads = 0;  // 0: as many as there are cores
-  /// Called with the number of finished runs at one site, from any thread, one at a time.
+  /// Called with the number of finished runs at one site, among them known ones, from any thread, one at a time.
   std::function<void(std::uint64_t)> progress{};
+  /// Returns the results of a run that an earlier analysis has made.
+  std::function<std::optional<RunResults>(std::size_t run)> known{};
+  /// Called with runs that are finished, in their order.
+  std::function<void(std::size_t first, std::span<const StudyRun> runs)> finished{};
 };
 
 /// A study with its projects read and their models built.
@@ -74,11 +82,14 @@ class PreparedStudy {
 
   /// Runs of the whole study at each site: each has one set of values of all inputs.
   [[nodiscard]] std::uint64_t runs() const;
+  /// Identifies the runs: the study, its projects and the program.
+  [[nodiscard]] const std::string& fingerprint() const;
   /// The same bits on any number of threads. Throws Stopped at the request of the thread's StopScope.
   [[nodiscard]] Analysis run(const AnalysisOptions& options) const;
 
  private:
   struct Parts;
+  class Runs;
   std::unique_ptr<Parts> parts_;
 };
 

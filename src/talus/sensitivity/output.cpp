@@ -2,8 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "talus/core/bytes.hpp"
+#include "talus/files/folder_lock.hpp"
 #include "talus/files/output_file.hpp"
 #include "talus/report/study_page.hpp"
+#include "talus/study/saved_sets.hpp"
 
 namespace talus::sensitivity {
 
@@ -84,7 +87,7 @@ Json json_of(const Effect& effect) {
   return json;
 }
 
-Json summary_of(const Study& study, const Analysis& analysis, double seconds) {
+Json summary_of(const Study& study, const Analysis& analysis) {
   Json sites = Json::array(), inputs = Json::array(), results = Json::array(), warnings = Json::array();
   for (const study::GivenSite& site : study.sites)
     sites.push_back({{"name", site.name}, {"project", site.project.string()}});
@@ -114,8 +117,33 @@ Json summary_of(const Study& study, const Analysis& analysis, double seconds) {
           {"confidence", study.confidence},
           {"inputs", std::move(inputs)},
           {"results", std::move(results)},
-          {"warnings", std::move(warnings)},
-          {"timings", {{"seconds", seconds}}}};
+          {"warnings", std::move(warnings)}};
+}
+
+std::string bytes_of(const RunResults& results) {
+  ByteWriter out;
+  out.count(results.size());
+  for (const std::optional<double>& value : results) {
+    out.flag(value.has_value());
+    out.put(value.value_or(0));
+  }
+  return out.take();
+}
+
+std::optional<RunResults> results_in(std::string_view bytes) {
+  try {
+    ByteReader in(bytes);
+    RunResults results(in.count(1 + sizeof(double)));
+    for (std::optional<double>& value : results) {
+      const bool is_given = in.flag();
+      const auto number = in.get<double>();
+      if (is_given) value = number;
+    }
+    in.expect_end();
+    return results;
+  } catch (const BadBytes&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -124,13 +152,31 @@ std::vector<ColumnText> RunRow::family_texts() {
   return {{"…", "", "the value of each input, then of each result; empty if no rock reaches its line"}};
 }
 
-void write_results(const std::filesystem::path& folder, const Study& study, const Analysis& analysis, double seconds) {
-  make_output_folder(folder);
-  const Json summary = summary_of(study, analysis, seconds);
+void write_results(const std::filesystem::path& folder, const Study& study, const Analysis& analysis) {
+  const Json summary = summary_of(study, analysis);
   write_text(folder / EffectRow::file_name, effects_text(study, analysis));
   write_text(folder / RunRow::file_name, runs_text(analysis));
   write_text(folder / "report.html", study_page(study.name, summary));
   write_text(folder / "summary.json", summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+Analysis analyse_into(const std::filesystem::path& folder, const Study& study, const PreparedStudy& prepared,
+                      AnalysisOptions options) {
+  make_output_folder(folder);
+  const FolderLock lock = lock_output_folder(folder);
+  const study::SavedSets saved(folder, prepared.fingerprint());
+  options.known = [&](std::size_t run) -> std::optional<RunResults> {
+    const auto bytes = saved.of(run);
+    return bytes ? results_in(*bytes) : std::nullopt;
+  };
+  options.finished = [&](std::size_t first, std::span<const StudyRun> runs) {
+    std::vector<std::string> all;
+    for (const StudyRun& run : runs) all.push_back(bytes_of(run.results));
+    saved.save(first, all);
+  };
+  Analysis analysis = prepared.run(options);
+  write_results(folder, study, analysis);
+  return analysis;
 }
 
 }  // namespace talus::sensitivity

@@ -1,5 +1,6 @@
 #pragma once
-// The folder of a finished sensitivity study: sensitivity.csv, runs.csv, summary.json and report.html.
+// The folder of a finished sensitivity study: sensitivity.csv, runs.csv, summary.json and report.html; in
+// `sets`, finished runs.
 
 #include <cstdint>
 #include <filesystem>
@@ -58,8 +59,13 @@ struct RunRow {
   [[nodiscard]] static std::vector<ColumnText> family_texts();
 };
 
-/// Writes all files, each complete under its name. Throws BadInput if one cannot be written, and before the study if
-/// the folder cannot be made.
-void write_results(const std::filesystem::path& folder, const Study& study, const Analysis& analysis, double seconds);
+/// Analyses into a folder. Runs that an earlier analysis of the same study made there are not made again; those of
+/// another study are removed. After a stop (Stopped is thrown) finished runs are kept. Throws BadInput if the folder
+/// cannot be written to, or another program writes to it. Of the options, `known` and `finished` are set here.
+[[nodiscard]] Analysis analyse_into(const std::filesystem::path& folder, const Study& study,
+                                    const PreparedStudy& prepared, AnalysisOptions options);
+
+/// Writes all files but the finished runs, each complete under its name.
+void write_results(const std::filesystem::path& folder, const Study& study, const Analysis& analysis);
 
 }  // namespace talus::sensitivity
