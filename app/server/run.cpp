@@ -26,6 +26,10 @@ constexpr std::array<std::pair<RunState, const char*>, 6> states{{{RunState::wai
                                                                   {RunState::interrupted, "interrupted"},
                                                                   {RunState::failed, "failed"}}};
 
+constexpr const char* calibration_word = "calibration";
+
+const char* name(RunKind kind) { return kind == RunKind::calibration ? calibration_word : "run"; }
+
 const char* name(RunState state) {
   return std::find_if(states.begin(), states.end(), [&](const auto& known) { return known.first == state; })->second;
 }
@@ -77,6 +81,11 @@ void read_into(Run& run, const fs::path& file) {
   run.seconds = value_of<double>(json, "seconds", file);
   run.begun = value_of<std::string>(json, "begun", file);
   if (json.contains("problems") && json.at("problems").is_array()) run.problems = json.at("problems");
+  if (json.contains("study")) {
+    run.kind = RunKind::calibration;
+    run.study = value_of<std::string>(json, "study", file);
+    if (fs::path(run.study).filename() != run.study) refuse(file, "study", "is not a file name", "");
+  }
   run.asked_rocks = value_if_any<std::int64_t>(json, "asked_rocks", file);
   run.asked_seed = value_if_any<std::uint64_t>(json, "asked_seed", file);
   const std::string project_file = value_of<std::string>(json, "file", file);
@@ -118,6 +127,8 @@ Json json_of(const Run& run, const fs::path& base) {
   if (!is_running && run.seconds > 0 && run.done > 0) rate = static_cast<double>(run.done) / run.seconds;
   Json json{{"id", run.id},
             {"name", run.name},
+            {"kind", name(run.kind)},
+            {"study", run.kind == RunKind::calibration ? Json(run.study) : Json()},
             {"file", run.file},
             {"project", run.project},
             {"state", name(run.state)},
@@ -141,6 +152,7 @@ void save(const Run& run) {
             {"dimension", run.dimension}, {"rocks", run.rocks},
             {"done", run.done},           {"seconds", run.seconds},
             {"begun", run.begun},         {"problems", run.problems}};
+  if (run.kind == RunKind::calibration) json["study"] = run.study;
   if (run.asked_rocks) json["asked_rocks"] = *run.asked_rocks;
   if (run.asked_seed) json["asked_seed"] = *run.asked_seed;
   OutputFile file(run.folder / run_file_name);

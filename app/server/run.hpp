@@ -20,8 +20,13 @@ enum class RunState {
   failed
 };
 
+enum class RunKind { run, calibration };
+
+/// Of a calibration, `rocks` and `done` count sets of parameters, and `rate` sets per second.
 struct Run {
   std::string id, name;
+  RunKind kind = RunKind::run;
+  std::string study;    // of a calibration: its study file, beside the project
   std::string file;     // of the project, relative to the folder that is served
   std::string project;  // the project's name
   RunState state = RunState::waiting;
@@ -50,6 +55,7 @@ struct Run {
 
 inline constexpr const char* run_file_name = "run.json";
 inline constexpr const char* run_project_name = "project.toml";
+inline constexpr const char* run_study_name = "study.toml";  // of a calibration
 
 /// Writes FOLDER/run.json. Throws BadInput if that fails.
 void save(const Run& run);

@@ -12,6 +12,15 @@ void save_and_publish(Run& run, const std::filesystem::path& base, EventHub& eve
   events.publish("run", run.id, json_of(run, base));
 }
 
+std::shared_ptr<PreparedCalibration> prepare_calibration(ModelReading& reading,
+                                                         const calibration::StudyReading& study) {
+  return *reading.read<std::shared_ptr<PreparedCalibration>>("", [study] {
+    Problems warnings = study.warnings;
+    calibration::PreparedStudy prepared(study.study, nullptr, warnings);
+    return std::make_shared<PreparedCalibration>(PreparedCalibration{std::move(prepared), std::move(warnings)});
+  });
+}
+
 std::shared_ptr<BuiltProject> build_for_run(ModelReading& reading, const std::string& text,
                                             const std::filesystem::path& file, const project::Overrides& overrides) {
   return *reading.read<std::shared_ptr<BuiltProject>>(

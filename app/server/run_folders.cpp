@@ -98,12 +98,16 @@ std::vector<Run> find_runs(const fs::path& base) {
   return runs;
 }
 
-void create_run_folder(Run& run, const fs::path& parent, const std::string& text) {
+void create_run_folder(Run& run, const fs::path& parent, const std::string& project, const std::string& study) {
   run.folder = new_folder(parent);
   run.id = run.folder.filename().string();
-  OutputFile project(run.folder / run_project_name);
-  project.write(text);
-  project.commit();
+  const auto write = [&](const char* name, const std::string& text) {
+    OutputFile file(run.folder / name);
+    file.write(text);
+    file.commit();
+  };
+  write(run_project_name, project);
+  if (run.kind == RunKind::calibration) write(run_study_name, study);
   save(run);
 }
 

@@ -13,9 +13,10 @@ namespace talus::server {
 /// folders.
 [[nodiscard]] std::vector<Run> find_runs(const std::filesystem::path& base);
 
-/// Creates a folder in `parent`, named by the time, with run.json and the project's text, and sets the run's folder and
-/// id. Throws BadInput if that fails.
-void create_run_folder(Run& run, const std::filesystem::path& parent, const std::string& text);
+/// Creates a folder in `parent`, named by the time, with run.json and the texts of the project and, of a
+/// calibration, the study, and sets the run's folder and id. Throws BadInput if that fails.
+void create_run_folder(Run& run, const std::filesystem::path& parent, const std::string& project,
+                       const std::string& study = {});
 
 /// Removes run.json: if the rest cannot be removed, the next server does not list the run. Throws BadInput if it fails.
 void remove_run_file(const Run& run);

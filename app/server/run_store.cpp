@@ -5,6 +5,9 @@
 
 #include "run_folders.hpp"
 #include "talus/archive/run_state.hpp"
+#include "talus/calibration/study.hpp"
+#include "talus/files/output_file.hpp"
+#include "talus/project/document.hpp"
 #include "talus/project/problem_paths.hpp"
 
 namespace talus::server {
@@ -27,6 +30,31 @@ void check_name(const std::string& name) {
 
 Refusal not_now(const Run& run, const char* what, const char* why, const char* hint = "") {
   return Refusal(409, run.id, what, why, hint);
+}
+
+/// A file that a study names, as a name in the folder that is served.
+std::string name_beside(const std::string& study, const fs::path& named) {
+  return (fs::path(study).parent_path() / named).lexically_normal().generic_string();
+}
+
+/// Refuses what only the command line does.
+void check_order(const std::string& file, const calibration::Study& study, const Workplace& workplace) {
+  if (!study.models.empty())
+    throw Refusal(400, file, "has [[model]]", "the workbench calibrates one model at a time",
+                  "Run the study with talus calibrate");
+  for (const auto& site : study.sites)
+    static_cast<void>(workplace.at(name_beside(file, site.project)));
+  for (const calibration::StudyObservations& each : study.observations)
+    static_cast<void>(workplace.at(name_beside(file, each.file())));
+  if (fs::path(name_beside(file, study.sites.front().project)).parent_path() != fs::path(file).parent_path())
+    throw Refusal(400, file, "names a project in another folder", "the study belongs beside its first project");
+}
+
+/// The text of a file; nullopt if there is none.
+std::optional<std::string> text_if_any(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return std::nullopt;
+  return project::text_of_file(file);
 }
 
 }  // namespace
@@ -85,12 +113,55 @@ Run RunStore::begin(const RunOrder& order) {
   run.rocks = entry->built->model.rocks();
   run.problems = as_json(seen_from(workplace_.folder(), entry->built->warnings));
 
+  return queue(entry, order.text, "");
+}
+
+Run RunStore::begin(const CalibrationOrder& order) {
+  const std::string name = fs::path(order.file).lexically_normal().generic_string();
+  if (!name.ends_with(study_ending))
+    throw Refusal(400, order.file, "is not the name of a study", std::string("it does not end in ") + study_ending);
+  const fs::path file = workplace_.at(name);
+  const auto before = text_if_any(file);
+  if (before && *before != order.text && !order.replace)
+    throw Refusal(409, name, "already exists", "", "Give the study another name, or open this one and change it");
+  auto entry = std::make_shared<RunEntry>();
+  Run& run = entry->run;
+  std::string project_text;
+  try {
+    const calibration::StudyReading reading = calibration::read_study_text(order.text, file);
+    check_order(name, reading.study, workplace_);
+    entry->calibration = prepare_calibration(reading_, reading);
+    run.file = name_beside(name, reading.study.sites.front().project);
+    project_text = project::text_of_file(workplace_.at(run.file));
+  } catch (const BadInput& bad) {
+    throw BadInput(seen_from(workplace_.folder(), project::with_paths(bad.problems(), order.text, file)));
+  }
+  const calibration::PreparedStudy& prepared = entry->calibration->study;
+  run.kind = RunKind::calibration;
+  run.study = fs::path(name).filename().string();
+  run.begun = time_now();
+  run.project = prepared.sites().front().project().name;
+  run.name = prepared.study().name;
+  run.dimension = prepared.sites().front().project().is_2d() ? 2 : 3;
+  run.rocks = static_cast<std::uint64_t>(prepared.study().draws);
+  run.problems = as_json(seen_from(workplace_.folder(), entry->calibration->warnings));
+  OutputFile study(workplace_.written(file));
+  study.write(order.text);
+  study.commit();
+  return queue(entry, project_text, order.text);
+}
+
+Run RunStore::queue(const std::shared_ptr<RunEntry>& entry, const std::string& project, const std::string& study) {
+  Run& run = entry->run;
   const fs::path parent = fs::path(run.file).parent_path() / "runs" / fs::path(run.file).stem();
   const std::lock_guard lock(mutex_);
   if (worker_.is_closed()) throw Refusal(503, run.file, "cannot be run", why_closing);
-  create_run_folder(run, workplace_.at(parent.generic_string()), order.text);
+  create_run_folder(run, workplace_.at(parent.generic_string()), project, study);
   // Of the queued runs only the first keeps its model in memory.
-  if (!worker_.is_idle()) entry->built.reset();
+  if (!worker_.is_idle()) {
+    entry->built.reset();
+    entry->calibration.reset();
+  }
   entries_[run.id] = entry;
   worker_.enqueue(entry, Task::begin);
   events_.publish("run", run.id, json_of(run));

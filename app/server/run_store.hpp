@@ -26,6 +26,13 @@ struct RunOrder {
   std::optional<std::uint64_t> seed;
 };
 
+/// A request for a calibration.
+struct CalibrationOrder {
+  std::string file;      // of the study, relative to the folder that is served; its name ends in .study.toml
+  std::string text;      // of the study
+  bool replace = false;  // the file, if it exists
+};
+
 /// All functions may be called by any thread. They refuse an unknown id (404) and what a run's state does not allow
 /// (409).
 class RunStore {
@@ -45,6 +52,9 @@ class RunStore {
 
   /// Throws BadInput with all problems of the project and its model. Refuses (503) once the store is closed.
   Run begin(const RunOrder& order);
+  /// Writes the study file. Its first site's project must be beside it. Throws BadInput with all problems of the study,
+  /// its observations and its projects; refuses (409) to replace another text unasked.
+  Run begin(const CalibrationOrder& order);
   Run rename(const std::string& id, const std::string& name);
   /// Keeps the rocks that are finished. A run in progress abandons the others at once; results that take long to write
   /// follow later.
@@ -65,6 +75,8 @@ class RunStore {
 
   /// Expects the lock.
   [[nodiscard]] std::shared_ptr<RunEntry> entry_of(const std::string& id);
+  /// Puts a run with its texts into a new folder and into the queue.
+  Run queue(const std::shared_ptr<RunEntry>& entry, const std::string& project, const std::string& study);
   /// Saves and publishes a run. Expects the lock.
   void changed(Run& run) { save_and_publish(run, workplace_.folder(), events_); }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "talus/archive/run_state.hpp"
+#include "talus/calibration/result_files.hpp"
 #include "talus/core/memory_reserve.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/project/document.hpp"
@@ -86,8 +87,10 @@ void RunWorker::work() {
     }
     do_job(job, arena);
     std::shared_ptr<BuiltProject> released;  // destroyed after the lock: freeing a large model takes a while
+    std::shared_ptr<PreparedCalibration> released_study;
     const std::lock_guard lock(mutex_);
     released.swap(job.entry->built);
+    released_study.swap(job.entry->calibration);
   }
 }
 
@@ -113,7 +116,11 @@ void RunWorker::fail(RunEntry& entry, const Problems& problems) {
 void RunWorker::do_job(const Job& job, LowPriorityArena& arena) {
   keep_memory_reserve();
   try {
-    simulate(job, arena);
+    if (job.entry->run.kind == RunKind::calibration) {
+      calibrate(job, arena);
+    } else {
+      simulate(job, arena);
+    }
   } catch (const BadInput& bad) {
     fail(*job.entry, bad.problems());
   } catch (const Stopped&) {
@@ -190,6 +197,37 @@ void RunWorker::simulate(const Job& job, LowPriorityArena& arena) {
     return project::run_into(run.folder, entry.built->project, entry.built->model, entry.built->warnings, options);
   });
   record(job, result, seconds_before);
+}
+
+void RunWorker::calibrate(const Job& job, LowPriorityArena& arena) {
+  RunEntry& entry = *job.entry;
+  Run run;  // a copy: no other thread changes the members that are used here
+  {
+    const std::lock_guard lock(mutex_);
+    run = entry.run;
+  }
+  if (!entry.calibration) {
+    const std::string text = project::text_of_file(run.folder / run_study_name);
+    const fs::path file = workplace_.at((fs::path(run.file).parent_path() / run.study).generic_string());
+    const StopScope scope(&entry.stop);
+    entry.calibration = prepare_calibration(reading_, calibration::read_study_text(text, file));
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    entry.run.problems = Json::array();
+    add_problems(entry.run, entry.calibration->warnings);
+  }
+  const auto progress = progress_of(entry, 0);
+  const calibration::CalibrationResult result = arena.execute([&] {
+    const StopScope scope(&entry.stop);
+    return calibration::calibrate_into(run.folder, entry.calibration->study,
+                                       {.progress = [&](std::size_t done, std::size_t) { progress(done); }});
+  });
+  const std::lock_guard lock(mutex_);
+  add_problems(entry.run, result.warnings);
+  entry.run.done = entry.run.rocks = result.sets.size();
+  entry.run.state = RunState::done;
+  finish(entry);
 }
 
 void RunWorker::record(const Job& job, const project::RunResult& result, double seconds_before) {

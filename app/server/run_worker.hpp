@@ -50,6 +50,7 @@ class RunWorker {
   void work();
   void do_job(const Job& job, LowPriorityArena& arena);
   void simulate(const Job& job, LowPriorityArena& arena);
+  void calibrate(const Job& job, LowPriorityArena& arena);
   /// Builds the model if it is not in memory, and stores its warnings in the run.
   void load_model(RunEntry& entry, const Run& run) const;
   /// The callback of a campaign: updates the run and publishes it at most ten times a second.

@@ -93,6 +93,8 @@ void serve(const ServeOptions& options) {
   ModelShelf shelf(reading, usable_memory() / share_of_models);
   add_model_routes(router, workplace, shelf);
   add_run_routes(router, runs, events);
+  add_calibration_routes(router, runs);
+  add_observation_routes(router, workplace, shelf, runs, reading);
   add_result_routes(router, runs, run_models);
   add_model_tile_routes(router, shelf);
   add_model_query_routes(router, shelf);

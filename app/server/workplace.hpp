@@ -11,6 +11,9 @@ namespace talus::server {
 /// Projects are searched for in the folder that is served and this many levels below it.
 inline constexpr int deepest_project = 4;
 
+/// The ending of the names of study files, which tells them from projects.
+inline constexpr const char* study_ending = ".study.toml";
+
 class Workplace {
  public:
   explicit Workplace(std::filesystem::path folder);

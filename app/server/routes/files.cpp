@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_listed = 2'000;  // files in the list
 
 std::string_view kind_of(const fs::path& file) {
+  if (file.filename().string().ends_with(study_ending)) return "study";
   if (ending_of(file) == ".toml") return "project";
   const FileFormat* format = format_of(file);
   return format ? name_of(format->kind) : "other";

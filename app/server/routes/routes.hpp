@@ -24,6 +24,10 @@ void add_project_routes(Router& router, const Workplace& workplace);
 void add_example_routes(Router& router, const Workplace& workplace);
 void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf);
 void add_run_routes(Router& router, RunStore& runs, EventHub& events);
+void add_calibration_routes(Router& router, RunStore& runs);
+/// Observed blocks and marks beside a model and beside a run.
+void add_observation_routes(Router& router, const Workplace& workplace, const ModelShelf& shelf, RunStore& runs,
+                            ModelReading& reading);
 void add_result_routes(Router& router, RunStore& runs, RunModels& models);
 void add_model_tile_routes(Router& router, const ModelShelf& shelf);
 void add_model_query_routes(Router& router, const ModelShelf& shelf);

@@ -141,16 +141,19 @@ Json origin_json(const LocalFrame& frame) {
 
 }  // namespace
 
+TerrainSummary terrain_summary(const Model& model) {
+  return std::visit([&](const auto& surface) { return terrain_of(model, surface); }, model.surface);
+}
+
 Json model_json(const Model& model) {
   Json barriers = Json::array();
   for (const Barrier& barrier : model.barriers) barriers.push_back(json_of(place_of(model, barrier)));
-  return {
-      {"seed", model.seed},
-      {"barriers", std::move(barriers)},
-      {"sources", json_of(sources_of(model))},
-      {"energy_datum_m", model.energy_datum},
-      {"origin_m", origin_json(model.frame)},
-      {"terrain", json_of(std::visit([&](const auto& surface) { return terrain_of(model, surface); }, model.surface))}};
+  return {{"seed", model.seed},
+          {"barriers", std::move(barriers)},
+          {"sources", json_of(sources_of(model))},
+          {"energy_datum_m", model.energy_datum},
+          {"origin_m", origin_json(model.frame)},
+          {"terrain", json_of(terrain_summary(model))}};
 }
 
 }  // namespace talus

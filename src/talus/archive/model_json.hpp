@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "talus/archive/run_summary.hpp"
 #include "talus/campaign/model.hpp"
 
 namespace talus {
@@ -10,5 +11,8 @@ namespace talus {
 /// The keys `seed`, `energy_datum_m`, `origin_m` (of the local frame), `terrain` (the vertices of a section, or a
 /// coarse relief), `barriers` (a list of name, kind and foot) and `sources` (the rocks of each source).
 [[nodiscard]] nlohmann::ordered_json model_json(const Model& model);
+
+/// The terrain alone.
+[[nodiscard]] TerrainSummary terrain_summary(const Model& model);
 
 }  // namespace talus

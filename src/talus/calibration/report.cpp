@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "talus/calibration/doubts.hpp"
+#include "talus/calibration/result_figures.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/calibration/svg.hpp"
 #include "talus/calibration/zone_prediction.hpp"
-#include "talus/core/random.hpp"
 
 namespace talus::calibration {
 
@@ -26,7 +26,6 @@ constexpr const char* page_style =
     "margin:4px 0}";
 
 constexpr std::size_t most_in_pairs = 6;  // parameters
-constexpr int bins = 20;
 
 /// Rounding of sums that are 0 is not shown.
 double rounded(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
@@ -111,41 +110,16 @@ class Page {
 
   void histogram(std::size_t k) {
     const study::Parameter& parameter = study_.parameters()[k];
-    const double least = parameter.prior.value(0.001), most = parameter.prior.value(0.999);
-    std::vector<double> posterior(bins, 0), prior(bins, 0);
-    const double width = (most - least) / bins;
-    for (int b = 0; b < bins; ++b) {
-      prior[static_cast<std::size_t>(b)] =
-          parameter.prior.share_below(least + (b + 1) * width) - parameter.prior.share_below(least + b * width);
-    }
-    for (const SetResult& set : result_.sets) {
-      const double place = std::clamp((set.values[k] - least) / width, 0.0, bins - 1.0);
-      posterior[static_cast<std::size_t>(place)] += set.weight;
-    }
-    const double highest = std::max(*std::ranges::max_element(posterior), *std::ranges::max_element(prior));
-    Plot plot(330, 210, {least, most, with_unit(parameter.name, parameter.unit)}, {0, highest * 1.05, "share"});
-    for (int b = 0; b < bins; ++b) {
-      const auto at = static_cast<std::size_t>(b);
-      plot.bar(least + b * width, least + (b + 1) * width, prior[at], "prior");
-      plot.bar(least + b * width, least + (b + 1) * width, posterior[at], "posterior");
+    const ParameterHistogram bins = histogram_of(k, study_, result_);
+    const double highest = std::max(*std::ranges::max_element(bins.posterior), *std::ranges::max_element(bins.prior));
+    Plot plot(330, 210, {bins.edges.front(), bins.edges.back(), with_unit(parameter.name, parameter.unit)},
+              {0, highest * 1.05, "share"});
+    for (std::size_t b = 0; b + 1 < bins.edges.size(); ++b) {
+      plot.bar(bins.edges[b], bins.edges[b + 1], bins.prior[b], "prior");
+      plot.bar(bins.edges[b], bins.edges[b + 1], bins.posterior[b], "posterior");
     }
     plot.vertical(result_.sets[result_.best].values[k], "best");
     out_ += figure(plot, "Grey: prior. Blue: posterior. Red: best set.");
-  }
-
-  [[nodiscard]] double correlation(std::size_t a, std::size_t b) const {
-    double ma = 0, mb = 0, aa = 0, bb = 0, ab = 0;
-    for (const SetResult& set : result_.sets) {
-      ma += set.weight * set.values[a];
-      mb += set.weight * set.values[b];
-    }
-    for (const SetResult& set : result_.sets) {
-      const double da = set.values[a] - ma, db = set.values[b] - mb;
-      aa += set.weight * da * da;
-      bb += set.weight * db * db;
-      ab += set.weight * da * db;
-    }
-    return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
   }
 
   void pairs() {
@@ -157,7 +131,7 @@ class Page {
     for (std::size_t a = 0; a < count; ++a) {
       out_ += fmt::format("<tr><td>{} {}</td>", a + 1, escaped(study_.parameters()[a].name));
       for (std::size_t b = 0; b < count; ++b)
-        out_ += b < a ? fmt::format("<td>{:.2f}</td>", correlation(a, b)) : "<td></td>";
+        out_ += b < a ? fmt::format("<td>{:.2f}</td>", correlation_of(a, b, result_)) : "<td></td>";
       out_ += "</tr>\n";
     }
     out_ += "</table>\n";
@@ -188,70 +162,18 @@ class Page {
         out_ += zones_as_html(study_, g, result_, weights_, prior);
       }
       for (std::size_t f = 0; f < study_.groups()[g].features.size(); ++f) {
-        distribution(g, static_cast<Eigen::Index>(f), prior);
+        distribution(g, static_cast<Eigen::Index>(f));
       }
     }
   }
 
-  struct Bands {
-    std::vector<double> low, middle, high;
-  };
-
-  /// Quantiles, at each place, of the distribution functions of as many rocks as were observed.
-  [[nodiscard]] Bands bands_of(std::size_t g, Eigen::Index f, const std::vector<double>& weights,
-                               const std::vector<double>& grid) const {
-    constexpr std::size_t replicas = 200;
-    constexpr auto stream = static_cast<Stream>(1400);
-    const Sample& observed = study_.groups()[g].sample;
-    std::vector<double> cumulated;
-    double sum = 0;
-    for (std::size_t k = 0; k < weights.size(); ++k) {
-      cumulated.push_back(sum += result_.sets[k].samples[g].rows.rows() > 0 ? weights[k] : 0);
-    }
-    std::vector<std::vector<double>> shares(grid.size());
-    std::vector<Eigen::Index> rows;
-    for (std::size_t r = 0; r < replicas; ++r) {
-      const double pick = uniform_pair(study_.study().seed, r, stream, 0)[0] * sum;
-      const auto set = static_cast<std::size_t>(std::ranges::upper_bound(cumulated, pick) - cumulated.begin());
-      const Sample& sample = result_.sets[std::min(set, cumulated.size() - 1)].samples[g];
-      const Redraw redraw(sample, observed);
-      if (!redraw.has_at_least(1)) continue;
-      redraw.rows(study_.study().seed, static_cast<std::uint32_t>(r), rows);
-      std::vector<double> drawn;
-      for (const Eigen::Index row : rows) drawn.push_back(sample.rows(row, f));
-      std::ranges::sort(drawn);
-      for (std::size_t k = 0; k < grid.size(); ++k) {
-        const auto below = std::ranges::upper_bound(drawn, grid[k]) - drawn.begin();
-        shares[k].push_back(static_cast<double>(below) / static_cast<double>(drawn.size()));
-      }
-    }
-    Bands bands;
-    for (std::vector<double>& each : shares) {
-      std::ranges::sort(each);
-      const auto at = [&](double q) {
-        return each.empty() ? 0 : each[static_cast<std::size_t>(q * static_cast<double>(each.size() - 1))];
-      };
-      bands.low.push_back(at(0.05));
-      bands.middle.push_back(at(0.5));
-      bands.high.push_back(at(0.95));
-    }
-    return bands;
-  }
-
-  void distribution(std::size_t g, Eigen::Index f, const std::vector<double>& prior) {
+  void distribution(std::size_t g, Eigen::Index f) {
     const ObservedGroup& group = study_.groups()[g];
-    std::vector<double> observed(group.sample.rows.col(f).begin(), group.sample.rows.col(f).end());
-    std::ranges::sort(observed);
     const Eigen::MatrixXd predicted = mixture_of(result_.sets, weights_, g, rows_like(group.sample, 1000)).rows;
     if (predicted.rows() == 0) return;
-    const double least = std::min(observed.front(), predicted.col(f).minCoeff());
-    const double most = std::max(observed.back(), predicted.col(f).maxCoeff());
-    std::vector<double> grid;
-    constexpr int places = 80;
-    for (int k = 0; k <= places; ++k) grid.push_back(least + (most - least) * k / places);
+    const auto [observed, grid, wide, bands] = prediction_of(g, static_cast<std::size_t>(f), study_, result_);
     const Feature& feature = group.features[static_cast<std::size_t>(f)];
-    Plot plot(480, 270, {least, most, with_unit(feature.name, feature.unit)}, {0, 1, "share below"});
-    const Bands wide = bands_of(g, f, prior, grid), bands = bands_of(g, f, weights_, grid);
+    Plot plot(480, 270, {grid.front(), grid.back(), with_unit(feature.name, feature.unit)}, {0, 1, "share below"});
     plot.band(grid, wide.low, wide.high, "wide");
     plot.band(grid, bands.low, bands.high, "band");
     std::vector<std::pair<double, double>> middle, steps;

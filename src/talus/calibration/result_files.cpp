@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "talus/calibration/doubts.hpp"
+#include "talus/calibration/result_figures.hpp"
 #include "talus/calibration/saved_samples.hpp"
 #include "talus/calibration/zone_prediction.hpp"
 #include "talus/files/csv_text.hpp"
@@ -63,6 +64,49 @@ Json zones_of(const ObservedGroup& group, std::size_t g, const CalibrationResult
   return zones;
 }
 
+Json histogram_json(std::size_t parameter, const PreparedStudy& study, const CalibrationResult& result) {
+  const ParameterHistogram bins = histogram_of(parameter, study, result);
+  return {{"edges", bins.edges}, {"prior", bins.prior}, {"posterior", bins.posterior}};
+}
+
+/// The settings of each site's project with the best set, as `--set` takes them.
+Json best_settings_json(const PreparedStudy& study, const CalibrationResult& result) {
+  Json sites = Json::object();
+  for (std::size_t site = 0; site < study.sites().size(); ++site) {
+    const study::PreparedSites::AtSite& here = study.prepared().at_site(site);
+    const project::Project with = study.sites()[site].with(here.numbers, here.values(result.sets[result.best].values));
+    Json settings = Json::array();
+    for (const project::SettingNumber& number : here.numbers) {
+      for (const std::string& setting : number.overrides(with)) settings.push_back(setting);
+    }
+    sites[study.study().sites[site].name] = std::move(settings);
+  }
+  return sites;
+}
+
+/// A row for each parameter, with the parameters before it.
+Json correlations_json(const PreparedStudy& study, const CalibrationResult& result) {
+  Json rows = Json::array();
+  for (std::size_t a = 0; a < study.parameters().size(); ++a) {
+    Json row = Json::array();
+    for (std::size_t b = 0; b < a; ++b) row.push_back(correlation_of(a, b, result));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json prediction_json(std::size_t group, std::size_t feature, const PreparedStudy& study,
+                     const CalibrationResult& result) {
+  const PredictedDistribution prediction = prediction_of(group, feature, study, result);
+  const auto band = [](const DistributionBand& of) {
+    return Json{{"low", of.low}, {"median", of.middle}, {"high", of.high}};
+  };
+  return {{"observed", prediction.observed},
+          {"at", prediction.at},
+          {"prior", band(prediction.prior)},
+          {"posterior", band(prediction.posterior)}};
+}
+
 std::string summary_of(const PreparedStudy& study, const CalibrationResult& result) {
   std::vector<double> weights;
   std::size_t agreeing = 0;
@@ -82,6 +126,7 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
   json["effective_sets"] = result.effective_sets;
   json["misfit"] = result.misfit;
   json["best"] = {{"set", result.best}, {"score", result.sets[result.best].score}, {"values", Json::object()}};
+  json["best"]["settings"] = best_settings_json(study, result);
   json["parameters"] = Json::array();
   for (std::size_t k = 0; k < study.parameters().size(); ++k) {
     const study::Parameter& parameter = study.parameters()[k];
@@ -96,8 +141,10 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
                                   {"unit", parameter.unit},
                                   {"prior", prior},
                                   {"posterior", has_posterior ? quantiles_of(values, weights) : Json()},
-                                  {"width_of_prior", learned.width}});
+                                  {"width_of_prior", learned.width},
+                                  {"histogram", has_posterior ? histogram_json(k, study, result) : Json()}});
   }
+  json["correlations"] = has_posterior ? correlations_json(study, result) : Json();
   json["observations"] = Json::array();
   for (std::size_t g = 0; g < study.groups().size(); ++g) {
     const ObservedGroup& group = study.groups()[g];
@@ -116,6 +163,7 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
         const auto of = predicted.col(static_cast<Eigen::Index>(f));
         feature["predicted_mean"] = of.mean();
         feature["predicted_std_dev"] = std::sqrt((of.array() - of.mean()).square().mean());
+        feature["distribution"] = prediction_json(g, f, study, result);
       }
       features.push_back(std::move(feature));
     }

@@ -18,6 +18,7 @@
 #include "talus/report/observed_comparison.hpp"
 #include "talus/report/page/assets.hpp"
 #include "talus/report/report_histograms.hpp"
+#include "talus/report/uncertainty_json.hpp"
 
 namespace talus {
 namespace {
@@ -188,25 +189,6 @@ Json convergence_of(const RunFolder& run) {
       {"confidence", Convergence::confidence}, {"tolerance", Convergence::tolerance}, {"figures", std::move(figures)}};
 }
 
-// Each range: the value of all rocks, and its ends.
-Json uncertainty_of(const RunFolder& run) {
-  auto figures = Json::array();
-  const auto range = [](const Estimate& e) { return Json{in_short(e.value), in_short(*e.low), in_short(*e.high)}; };
-  for (const FigureUncertainty& each : run.uncertainty.figures) {
-    figures.push_back({{"line", each.line},
-                       {"text", each.figure.text()},
-                       {"unit", quantity_of(each.figure.of).unit},
-                       {"ensembles", each.ensembles},
-                       {"total", range(each.total)},
-                       {"parameters", range(each.parameters)},
-                       {"rocks", range(each.rocks)},
-                       {"parameter_share", in_short(each.parameter_share)}});
-  }
-  return {{"ensembles", run.uncertainty.ensembles},
-          {"confidence", Uncertainty::confidence},
-          {"figures", std::move(figures)}};
-}
-
 // Red, green and blue of the classes of maps.
 Json map_colours() {
   auto colours = Json::array();
@@ -228,7 +210,7 @@ Json data_of(const RunFolder& run, const RunSummary& summary) {
           {"maps", maps_of(run)},
           {"envelopes", envelopes_of(run)},
           {"convergence", convergence_of(run)},
-          {"uncertainty", uncertainty_of(run)},
+          {"uncertainty", uncertainty_json(run.uncertainty)},
           {"notes", run.notes}};
 }
 
