@@ -12,12 +12,17 @@ import { RunsPanel } from './runs/RunsPanel';
 import { SceneView } from './scene/SceneView';
 import { SectionView } from './section/SectionView';
 import { TextPanel } from './model/TextPanel';
+import { CalibratePanel } from './calibration/CalibratePanel';
+import { takeObserved } from './calibration/observations';
 import { TopBar } from './ui/TopBar';
 import { Tabs } from './ui/Tabs';
 import { SavingDialogs } from './ui/SavingDialogs';
 
 export function Workbench() {
-  useEffect(() => listenToDrops(takeFiles), []);
+  useEffect(
+    () => listenToDrops((list) => (sidePanel.peek() === 'calibrate' ? takeObserved(list, 'stops') : takeFiles(list))),
+    [],
+  );
   return (
     <div class="workbench">
       <TopBar />
@@ -27,6 +32,7 @@ export function Workbench() {
           tabs={[
             { name: 'model', title: 'Model' },
             { name: 'runs', title: 'Runs' },
+            { name: 'calibrate', title: 'Calibrate' },
             { name: 'text', title: 'Text' },
           ]}
           now={sidePanel.value}
@@ -35,6 +41,7 @@ export function Workbench() {
         <div class="body">
           {sidePanel.value === 'model' && <ModelPanel />}
           {sidePanel.value === 'runs' && <RunsPanel />}
+          {sidePanel.value === 'calibrate' && <CalibratePanel />}
           {sidePanel.value === 'text' && <TextPanel />}
         </div>
       </aside>

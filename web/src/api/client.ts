@@ -111,6 +111,8 @@ export const api = {
   runs: async () => (await getJson<{ runs: Run[] }>('/api/runs')).runs,
   compute: (file: string, text: string, more: { name?: string; rocks?: number; seed?: number } = {}) =>
     sendJson<Run>('POST', '/api/runs', { file, text, ...more }),
+  calibrate: (file: string, text: string, replace: boolean) =>
+    sendJson<Run>('POST', '/api/calibrations', { file, text, replace }),
   stopRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/stop`, {}),
   writeRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/write`, {}),
   resumeRun: (id: string) => sendJson<Run>('POST', `/api/runs/${id}/resume`, {}),

@@ -45,7 +45,7 @@ export interface LibraryMaterial {
   sources: LibrarySource[];
 }
 
-export type FileKind = 'project' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
+export type FileKind = 'project' | 'study' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
 export interface FolderFile {
   name: string;
   bytes: number;
@@ -157,6 +157,10 @@ export type RunState = 'waiting' | 'running' | 'done' | 'stopped' | 'interrupted
 export interface Run {
   id: string;
   name: string;
+  /// Of a calibration, rocks, done and rate count sets of parameters.
+  kind: 'run' | 'calibration';
+  /// The study file of a calibration, beside the project.
+  study: string | null;
   file: string;
   project: string;
   state: RunState;

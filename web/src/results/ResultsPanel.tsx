@@ -2,9 +2,13 @@
 
 import { useId } from 'preact/hooks';
 import type { Run, RunState } from '../api/types';
-import { hasResults, ownRuns, resume, shown, writePartialResults } from '../state/runs';
+import { hasResults, ownRuns, resume, shown, shownCalibration, writePartialResults } from '../state/runs';
 import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
-import { dimension } from '../model/place';
+import { dimension, tableAt } from '../model/place';
+import { CalibrationTab } from '../calibration/CalibrationTab';
+import { ObservedTab } from '../calibration/ObservedTab';
+import { observedStops } from '../calibration/observations';
+import { UncertaintyTab } from '../calibration/UncertaintyTab';
 import { sectionLine } from '../sectionLine/sectionLine';
 import { SectionTab } from '../sectionLine/SectionTab';
 import { Tabs } from '../ui/Tabs';
@@ -28,6 +32,9 @@ const pages: Record<ResultsTab, { title: string; page: (props: { run: Run }) => 
   maps: { title: 'Maps', page: Maps },
   compare: { title: 'Compare', page: Compare },
   section: { title: 'Section', page: SectionTab },
+  observed: { title: 'Observed', page: ObservedTab },
+  uncertainty: { title: 'Uncertainty', page: UncertaintyTab },
+  calibration: { title: 'Calibration', page: CalibrationTab },
 };
 
 /// The tabs that apply now. The ground section belongs to the model and needs no run.
@@ -36,8 +43,17 @@ function tabsNow(): ResultsTab[] {
   const hasRuns = shown.value !== null || ownRuns.value.length > 0;
   const mayHaveSection = dimension.value === 3 && (hasRuns || sectionLine.value !== null);
   const isOfOther = (name: ResultsTab) => name === (dimension.value === 2 ? 'maps' : 'envelopes');
-  return all.filter((name) => (name === 'section' ? mayHaveSection : hasRuns && !isOfOther(name)));
+  const applies: Partial<Record<ResultsTab, boolean>> = {
+    section: mayHaveSection,
+    observed: hasRuns && observedStops.value.length > 0,
+    uncertainty: hasRuns && tableAt(['sampling']).parameters !== undefined,
+    calibration: shownCalibration.value !== null,
+  };
+  return all.filter((name) => applies[name] ?? (hasRuns && !isOfOther(name)));
 }
+
+/// Tabs that need no run.
+const isOfModel = (name: ResultsTab) => name === 'section' || name === 'calibration';
 
 const halts: Partial<Record<RunState, string>> = {
   interrupted: 'The server stopped while this run was in progress.',
@@ -116,10 +132,12 @@ export function ResultsPanel() {
           {isOpen ? 'Hide ▾' : 'Results ▴'}
         </button>
       </div>
-      {now !== 'section' && <Outdated />}
+      {!isOfModel(now) && <Outdated />}
       <div id={panel} class="results-body" role="tabpanel" aria-label={pages[now].title}>
         {!isOpen ? null : now === 'section' ? (
           <SectionTab />
+        ) : now === 'calibration' ? (
+          <CalibrationTab />
         ) : !run ? (
           <div class="empty">
             <p>No run is shown.</p>

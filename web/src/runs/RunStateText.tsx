@@ -13,7 +13,7 @@ const looks: Record<RunState, { sign: string; words: string }> = {
 /// "Stopped, 20 of 50 rocks".
 export function stateText(run: Run): string {
   const isPart = run.state !== 'done' && run.state !== 'waiting' && run.done > 0;
-  const of = `, ${run.done.toLocaleString('en')} of ${counted(run.rocks, 'rock')}`;
+  const of = `, ${run.done.toLocaleString('en')} of ${counted(run.rocks, run.kind === 'calibration' ? 'set' : 'rock')}`;
   return looks[run.state].words + (isPart ? of : '');
 }
 

@@ -1,5 +1,6 @@
 // The legends of the scene.
 
+import { observedLegends } from '../calibration/observations';
 import { mapLegends } from '../maps/mapLegends';
 import { shownMap } from '../maps/shownMap';
 import { pathLegends } from '../paths/pathLegends';
@@ -28,6 +29,6 @@ function groundLegends(): LegendData[] {
   }
 }
 
-export const sceneLegends = (): LegendData[] => [...pathLegends(), ...mapLegends(), ...groundLegends()];
+export const sceneLegends = (): LegendData[] => [...pathLegends(), ...observedLegends(), ...mapLegends(), ...groundLegends()];
 
 export const SceneLegend = () => <Legends list={sceneLegends()} />;

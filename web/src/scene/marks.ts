@@ -28,7 +28,10 @@ interface Look {
   size: number;
   /// Whether it is visible through the terrain.
   above?: boolean;
+  shape?: 'disc' | 'diamond' | 'cross';
 }
+
+const shapes = { disc: 0, diamond: 1, cross: 2 };
 
 export function line(points: Vector3[], { colour, size, above }: Look, closed = false): Object3D {
   if (points.length < 2) return new Group();
@@ -62,10 +65,19 @@ const dotFragment = /* glsl */ `
 precision highp float;
 uniform vec3 colour;
 uniform float ratio;
+uniform int shape;  // 0: disc, 1: diamond, 2: diagonal cross
 in float diameter;
 out vec4 result;
 void main() {
-  float r = length(gl_PointCoord - 0.5) * diameter;
+  vec2 off = abs(gl_PointCoord - 0.5) * diameter;
+  float r = shape == 1 ? off.x + off.y : length(off);
+  if (shape == 2) {
+    float across = abs(off.x - off.y) * 0.70711;
+    float arm = 0.11 * diameter;
+    if (across > arm + 1.2 * ratio) discard;
+    result = vec4(mix(colour, vec3(1.0), smoothstep(arm - 0.2 * ratio, arm + 0.2 * ratio, across)), 1.0);
+    return;
+  }
   float edge = 0.5 * diameter;
   if (r > edge) discard;
   float wide = diameter >= 6.0 * ratio ? 1.6 * ratio : 0.0;
@@ -74,7 +86,7 @@ void main() {
 }`;
 
 /// Discs with a white rim, small enough not to overlap.
-export function dots(points: Vector3[], { colour, size, above }: Look): Object3D {
+export function dots(points: Vector3[], { colour, size, above, shape = 'disc' }: Look): Object3D {
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flatMap((point) => point.toArray())), 3));
   const { r, g, b } = new Color(colour).convertLinearToSRGB();
@@ -87,6 +99,7 @@ export function dots(points: Vector3[], { colour, size, above }: Look): Object3D
       size: { value: size },
       spacing: { value: Math.min(spacing, 1e9) },
       colour: { value: [r, g, b] },
+      shape: { value: shapes[shape] },
       pixels: { value: new Vector2() },
       ratio: { value: 1 },
     },

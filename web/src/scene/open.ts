@@ -2,6 +2,7 @@
 
 import { chosenRock, resultsTab } from '../state/view';
 import { ModelScene } from './modelScene';
+import { ObservedScene } from './observedScene';
 import { Pointing } from './pointing';
 import { RunScene } from './runScene';
 import { scenePicture } from './scenePrint';
@@ -19,6 +20,7 @@ export function openScene(host: HTMLElement): OpenScene {
   const scene = new ModelScene(host);
   const pointing = new Pointing(scene);
   const runs = new RunScene(scene);
+  const observed = new ObservedScene(scene);
   // Without a tool, a click selects the rock of a trajectory; next to all trajectories it deselects.
   pointing.onClick = ({ clientX, clientY }) => {
     chosenRock.value = runs.rockAt(clientX, clientY);
@@ -31,6 +33,7 @@ export function openScene(host: HTMLElement): OpenScene {
     dispose() {
       pointing.dispose();
       runs.dispose();
+      observed.dispose();
       scene.dispose();
     },
   };

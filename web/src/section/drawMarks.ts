@@ -1,6 +1,7 @@
 // Draws marks on the slope: seeders, barriers, overlays of tools and forms.
 
 import type { Model } from '../api/types';
+import type { ObservedPlaces } from '../calibration/observations';
 import type { Overlay } from '../scene/tool';
 import { markColours } from '../view/colours';
 import { markRadius, meanSpacing } from '../paths/rockSize';
@@ -28,6 +29,12 @@ function polyline(pen: Pen, points: [number, number][], width: number, colour: s
   pen.stroke();
 }
 
+function polygon(pen: Pen, corners: [number, number][], colour: string) {
+  polyline(pen, corners, 2.5, '#ffffff', true);
+  pen.fillStyle = colour;
+  pen.fill();
+}
+
 /// Each function draws marks and returns their labels.
 export function drawSeeders(pen: Pen, frame: Frame, { seeders }: Model, chosen: string): Label[] {
   return seeders.flatMap((seeder) => {
@@ -51,6 +58,35 @@ export function drawBarriers(pen: Pen, frame: Frame, { barriers }: Model, chosen
     pen.setLineDash([]);
     return [labelOf(pen, barrier.name, ends[1]!, 3)];
   });
+}
+
+/// Stops as diamonds, marks as crosses.
+export function drawObserved(pen: Pen, frame: Frame, lists: readonly ObservedPlaces[]) {
+  for (const { kind, places } of lists) {
+    const pixels = places.map(([x, , z]) => pixelOf(frame, x, z));
+    const size = markRadius(meanSpacing(pixels), 6) + 1;
+    const drawn: [number, number][] =
+      kind === 'stops'
+        ? [
+            [0, -1],
+            [1, 0],
+            [0, 1],
+            [-1, 0],
+          ]
+        : [];
+    for (const [x, y] of pixels) {
+      if (kind === 'stops') {
+        polygon(pen, drawn.map(([dx, dy]) => [x + size * dx, y + size * dy]), markColours.stops);
+        continue;
+      }
+      for (const [width, colour] of [
+        [4.5, '#ffffff'],
+        [2.2, markColours.marks],
+      ] as const)
+        for (const lean of [1, -1])
+          polyline(pen, [[x - 0.8 * size, y - 0.8 * lean * size], [x + 0.8 * size, y + 0.8 * lean * size]], width, colour);
+    }
+  }
 }
 
 export function drawOverlays(pen: Pen, frame: Frame, lists: Overlay[]): Label[] {

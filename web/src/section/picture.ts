@@ -12,7 +12,8 @@ import { overlays } from '../scene/tool';
 import { layers } from '../view/settings';
 import { cssColour, shade } from '../view/theme';
 import { drawAxes, drawGrid, drawSlope, type Look } from './drawGround';
-import { drawBarriers, drawOverlays, drawSeeders } from './drawMarks';
+import { shownObserved } from '../calibration/observations';
+import { drawBarriers, drawObserved, drawOverlays, drawSeeders } from './drawMarks';
 import { drawChosen, drawEnds, drawMovingRocks } from './drawRocks';
 import type { Box } from '../view/framing';
 import { drawLabels, placeLabels } from '../view/labels';
@@ -64,6 +65,7 @@ export function paint(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () =
   drawGrid(pen, now, colours);
   if (profile.value && layers.terrain.value) drawSlope(pen, now, profile.value, colours);
   drawRun(pen, now, drawPaths, colours);
+  drawObserved(pen, now, shownObserved.value);
   const names = [
     ...drawOverlays(pen, now, Object.values(overlays.value).flat()),
     ...(model.value && layers.barriers.value ? drawBarriers(pen, now, model.value, path) : []),
@@ -102,7 +104,7 @@ export function keepDrawn(host: HTMLElement, canvas: HTMLCanvasElement): () => v
     const now = frame.value;
     void [shade.value, profile.value, model.value, chosen.value, chosenRock.value, overlays.value, draws.value];
     void [layers.terrain.value, layers.barriers.value, layers.seeders.value, layers.paths.value, layers.ends.value];
-    void [rocksToDraw.value, time.value, isWhole.value, over.value];
+    void [shownObserved.value, rocksToDraw.value, time.value, isWhole.value, over.value];
     if (!now) return;
     cancelAnimationFrame(waiting);
     waiting = requestAnimationFrame(() => draw(canvas, now, layer.canvas));

@@ -1,5 +1,6 @@
 // The legends of the section.
 
+import { observedLegends } from '../calibration/observations';
 import { pathLegends } from '../paths/pathLegends';
 import { model } from '../state/model';
 import { materialColour } from '../view/colours';
@@ -7,5 +8,5 @@ import type { LegendData } from '../view/legends';
 
 export function sectionLegends(): LegendData[] {
   const kinds = (model.value?.materials ?? []).map((name, k) => ({ name, colour: materialColour(k) }));
-  return [...pathLegends(), ...(kinds.length > 0 ? [{ kind: 'kinds' as const, title: 'Material', kinds }] : [])];
+  return [...pathLegends(), ...observedLegends(), ...(kinds.length > 0 ? [{ kind: 'kinds' as const, title: 'Material', kinds }] : [])];
 }

@@ -1,4 +1,4 @@
-// The runs of all projects, as reported by the server.
+// The runs and calibrations of all projects, as reported by the server.
 
 import { computed, effect, signal } from '@preact/signals';
 import { api } from '../api/client';
@@ -10,7 +10,11 @@ import { attempt, notify, reportFailure, resolve } from './messages';
 import { rebuild } from './model';
 import { subscribe } from './news';
 
-export const runs = signal<Run[]>([]);
+const all = signal<Run[]>([]);
+export const runs = computed(() => all.value.filter(({ kind }) => kind === 'run'));
+const calibrations = computed(() => all.value.filter(({ kind }) => kind === 'calibration'));
+/// The chosen calibration; null: the newest with results.
+export const chosenCalibration = signal<string | null>(null);
 /// The shown run, and the one compared with it.
 export const shownId = signal<string | null>(null);
 export const comparedId = signal<string | null>(null);
@@ -26,6 +30,16 @@ export const compared = computed(() => find(comparedId.value));
 export const running = computed(() => runs.value.find((run) => run.state === 'running') ?? null);
 /// The runs of the open project, newest first.
 export const ownRuns = computed(() => runs.value.filter((run) => run.file === file.value));
+
+/// The calibrations of the open project, newest first.
+export const ownCalibrations = computed(() => calibrations.value.filter((run) => run.file === file.value));
+/// The calibration whose results are shown.
+export const shownCalibration = computed(
+  () =>
+    ownCalibrations.value.find(({ id }) => id === chosenCalibration.value) ??
+    ownCalibrations.value.find(({ has_results }) => has_results) ??
+    null,
+);
 
 /// A failed run may have truncated tables, so its errors are shown instead.
 export const hasResults = (run: Run) => run.has_results && run.state !== 'failed';
@@ -43,16 +57,16 @@ effect(() => {
   comparedId.value = null;
 });
 
-const isKnown = (id: string) => runs.peek().some((run) => run.id === id);
+const isKnown = (id: string) => all.peek().some((run) => run.id === id);
 
 /// Takes the run from a response, unless events already report its state, which may be newer.
-function takeAnswer(run: Run) {
+export function takeAnswer(run: Run) {
   if (!isConnected.peek() || !isKnown(run.id)) take(run);
 }
 
 function take(run: Run) {
-  const known = runs.value.some(({ id }) => id === run.id);
-  runs.value = known ? runs.value.map((old) => (old.id === run.id ? run : old)) : [run, ...runs.value];
+  const known = all.value.some(({ id }) => id === run.id);
+  all.value = known ? all.value.map((old) => (old.id === run.id ? run : old)) : [run, ...all.value];
 }
 
 /// Runs the current project.
@@ -84,7 +98,7 @@ export const rename = (id: string, name: string) => attempt(`run ${id}`, () => a
 export const remove = (id: string) => attempt(`run ${id}`, () => api.removeRun(id).then(() => forget(id)));
 
 function forget(id: string) {
-  runs.value = runs.value.filter((run) => run.id !== id);
+  all.value = all.value.filter((run) => run.id !== id);
   if (shownId.value === id) shownId.value = null;
   if (comparedId.value === id) comparedId.value = null;
 }
@@ -92,7 +106,7 @@ function forget(id: string) {
 /// Loads the current list of runs.
 const loadRuns = () =>
   attempt('runs', async () => {
-    runs.value = await api.runs();
+    all.value = await api.runs();
     areKnown.value = true;
   });
 

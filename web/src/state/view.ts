@@ -9,10 +9,10 @@ export type Theme = 'system' | 'light' | 'dark';
 
 export const theme = kept<Theme>('theme', 'system');
 
-export type SidePanel = 'model' | 'runs' | 'text';
+export type SidePanel = 'model' | 'runs' | 'calibrate' | 'text';
 export const sidePanel = kept<SidePanel>('side panel', 'model');
 
-export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'envelopes' | 'maps' | 'compare' | 'section';
+export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'envelopes' | 'maps' | 'compare' | 'section' | 'observed' | 'uncertainty' | 'calibration';
 export const resultsTab = kept<ResultsTab>('results tab', 'overview');
 export const resultsOpen = kept('results open', true);
 /// As a share of the window's height.

@@ -34,7 +34,7 @@ const categories = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b
 /// For categories: end reasons, sources, seeders.
 export const categoryColour = (k: number): string => categories[k % categories.length]!;
 
-export const markColours = { barrier: '#d1495b', collector: '#2274a5', seeder: '#e07a00', tool: '#c2185b' };
+export const markColours = { barrier: '#d1495b', collector: '#2274a5', seeder: '#e07a00', tool: '#c2185b', stops: '#b0127b', marks: '#5b3bb0' };
 
 export function colourAt(ramp: Ramp, place: number): Colour {
   const after = ramp.findIndex(([at]) => at >= place);

@@ -19,8 +19,9 @@ export const layers = {
   barriers: keptOfProject<boolean>('barriers', true),
   paths: keptOfProject<boolean>('paths', true),
   ends: keptOfProject<boolean>('ends', true),
+  observed: keptOfProject<boolean>('observed', true),
 };
-export const layerNames = { terrain: 'Terrain', seeders: 'Seeders', barriers: 'Barriers', paths: 'Trajectories', ends: 'End points' } as const;
+export const layerNames = { terrain: 'Terrain', seeders: 'Seeders', barriers: 'Barriers', paths: 'Trajectories', ends: 'End points', observed: 'Observed rocks' } as const;
 
 /// In the section view and in ground sections: the same scale on both axes.
 export const equalAxes = keptOfProject<boolean>('equal axes', true);

@@ -1,0 +1,61 @@
+// The figures of a run whose rocks draw their parameters from a posterior, with the parts of their uncertainty.
+
+import { observing, type FigureUncertainty, type RangeOf } from '../api/calibration';
+import type { Run } from '../api/types';
+import { DataTable } from '../results/DataTable';
+import { useRemote } from '../results/remote';
+import { fileName } from '../results/save';
+import { Waiting } from '../results/Waiting';
+import './calibration.css';
+
+const titleOf = ({ text, line }: FigureUncertainty) =>
+  text.charAt(0).toUpperCase() + text.slice(1) + (line ? `: ${line}` : '');
+
+/// Shares have no unit in the files and are shown in percent.
+const scaled = ({ unit }: FigureUncertainty, value: number) => String(unit === '' ? 100 * value : value);
+const ends = (figure: FigureUncertainty, [, low, high]: RangeOf) => [scaled(figure, low), scaled(figure, high)];
+
+export function UncertaintyTab({ run }: { run: Run }) {
+  const answer = useRemote(run.id, `${run.state} ${run.done}`, (signal) => observing.uncertainty(run.id, signal));
+  if (!answer.value) return <Waiting of={answer} />;
+  const { ensembles, confidence, figures } = answer.value;
+  if (ensembles === 0) return <div class="empty">The rocks of this run have no ensembles of parameters.</div>;
+  if (figures.length === 0) return <div class="empty">The run has too few rocks for ranges between its ensembles.</div>;
+  const percent = Math.round(100 * confidence);
+  return (
+    <div class="tab-block">
+      <p class="faint">
+        Each of {ensembles} ensembles has parameters of its own. The range between ensembles contains both parts: that of
+        the parameters, which more knowledge of the site would lessen, and that of the rocks, the chance in an ensemble of
+        so many rocks. Variances add up; ranges do not.
+      </p>
+      <DataTable
+        caption={`Figures with their ${percent} % ranges over ${ensembles} ensembles`}
+        file={fileName(run.name, 'uncertainty')}
+        hasHeads
+        columns={[
+          { key: 'figure', title: 'Figure', isText: true },
+          { key: 'unit', title: 'Unit', isText: true, isUnit: true },
+          { key: 'value', title: 'All rocks' },
+          { key: 'low', title: 'Between ensembles, from' },
+          { key: 'high', title: 'to' },
+          { key: 'parameters_low', title: 'Parameters alone, from' },
+          { key: 'parameters_high', title: 'to' },
+          { key: 'rocks_low', title: 'Rocks alone, from' },
+          { key: 'rocks_high', title: 'to' },
+          { key: 'parameter_share', title: 'Part of the parameters', unit: '%' },
+        ]}
+        unitAt={(row, column) => (column >= 2 && column <= 8 ? figures[row]!.unit || '%' : undefined)}
+        rows={figures.map((each) => [
+          titleOf(each),
+          each.unit || '%',
+          scaled(each, each.total[0]),
+          ...ends(each, each.total),
+          ...ends(each, each.parameters),
+          ...ends(each, each.rocks),
+          String(100 * each.parameter_share),
+        ])}
+      />
+    </div>
+  );
+}

@@ -1,0 +1,74 @@
+// Projects made from the results of a calibration.
+
+import { api } from '../api/client';
+import type { CalibrationSummary } from '../api/calibration';
+import { results } from '../api/results';
+import type { Run } from '../api/types';
+import { readFolder } from '../model/files';
+import { pathOf, type Edit } from '../model/names';
+import { textOf } from '../runs/runText';
+import { file } from '../state/document';
+import { notify } from '../state/messages';
+import { close, start } from '../state/opening';
+import { save } from '../state/saving';
+import { allWritten } from '../state/writes';
+import { edited, valuesOf } from '../toml/edit';
+import { form, setForm } from './observations';
+
+export const ensembles = 50;
+const rocksEach = 200;
+
+/// The edit of a setting as the engine writes it: "material.0.roughness_deg={ mean = 4, ... }".
+export function editOf(setting: string): Edit {
+  const at = setting.indexOf('=');
+  return { set: pathOf(setting.slice(0, at)), value: valuesOf(`value = ${setting.slice(at + 1)}`).value! };
+}
+
+/// A name beside the project that no file has: "slope-posterior", without ending.
+async function freshStem(project: string, word: string): Promise<string> {
+  const taken = new Set((await readFolder()).files.map(({ name }) => name));
+  const stem = project.replace(/\.toml$/, '');
+  for (let k = 1; ; ++k) {
+    const name = `${stem}-${word}${k === 1 ? '' : `-${k}`}`;
+    if (!taken.has(`${name}.toml`) && !taken.has(`${name}.csv`)) return name;
+  }
+}
+
+/// Opens a new project and saves it, with the observations of the current one.
+async function openNew(name: string, text: string) {
+  const observed = form.value;
+  close();
+  await allWritten();
+  start(name, text);
+  setForm({ ...observed, name: name.split('/').at(-1)!.replace(/\.toml$/, '') });
+  await save();
+}
+
+/// A project whose rocks draw their parameters from the posterior, which is copied beside it.
+export async function predictWithPosterior(run: Run) {
+  const project = file.value;
+  if (project === null) return;
+  const [text, posterior] = await Promise.all([textOf(run.id), results.fileText(run.id, 'posterior.csv')]);
+  const stem = await freshStem(project, 'posterior');
+  await api.upload(`${stem}.csv`, new Blob([posterior]));
+  const edits: Edit[] = [
+    { set: ['sampling', 'parameters'], value: `${stem.split('/').at(-1)!}.csv` },
+    { set: ['sampling', 'ensembles'], value: ensembles },
+  ];
+  await openNew(`${stem}.toml`, edited(text, edits));
+  notify(
+    'note',
+    `Opened ${stem}.toml. Compute it with ${(ensembles * rocksEach).toLocaleString('en')} rocks or more: ${ensembles} ensembles of ${rocksEach}.`,
+  );
+}
+
+/// A project with the values of the set of least score.
+export async function openBestFit(run: Run, summary: CalibrationSummary) {
+  const project = file.value;
+  if (project === null) return;
+  const text = await textOf(run.id);
+  const stem = await freshStem(project, 'best');
+  const settings = Object.values(summary.best.settings)[0] ?? [];
+  await openNew(`${stem}.toml`, edited(text, settings.map(editOf)));
+  notify('note', `Opened ${stem}.toml. Its rocks spread less than the posterior's: predict with the posterior.`);
+}

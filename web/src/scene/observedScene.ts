@@ -1,0 +1,35 @@
+// Observed stops and marks in the scene.
+
+import { effect, signal } from '@preact/signals';
+import { Group } from 'three';
+import { shownObserved } from '../calibration/observations';
+import { markColours } from '../view/colours';
+import { clear, dots } from './marks';
+import type { ModelScene } from './modelScene';
+
+export class ObservedScene {
+  private readonly group = new Group();
+  /// Incremented when the frame of the terrain changes, because positions are relative to it.
+  private readonly terrain = signal(0);
+  private readonly end: () => void;
+
+  constructor(scene: ModelScene) {
+    scene.add(this.group);
+    scene.onTerrain.push(() => (this.terrain.value = this.terrain.peek() + 1));
+    this.end = effect(() => {
+      void this.terrain.value;
+      clear(this.group);
+      for (const { kind, places } of shownObserved.value) {
+        if (places.length === 0) continue;
+        const shape = kind === 'stops' ? 'diamond' : 'cross';
+        this.group.add(dots(places.map(scene.local), { colour: markColours[kind], size: 14, shape }));
+      }
+      scene.stage.invalidate();
+    });
+  }
+
+  dispose() {
+    this.end();
+    clear(this.group);
+  }
+}
