@@ -34,6 +34,7 @@ async function setStudy(page: Page, numbers: Record<string, string>) {
 
 test('observed stops are imported, seen, calibrated with, and predicted', async ({ workbench: page, server }) => {
   test.setTimeout(180_000);
+  page.setDefaultTimeout(20_000);
   await openSlope(page, server);
   await expect(page.getByRole('button', { name: 'Calibrate', exact: true })).toBeDisabled();
   const before = await stillShot(page);
@@ -43,7 +44,7 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   await expect(page.getByText('30 stops')).toBeVisible(); // the legend
   const seen = await stillShot(page);
   expect(seen.equals(before)).toBe(false);
-  await page.getByRole('button', { name: 'Layers' }).click();
+  await page.locator('summary').filter({ hasText: 'Layers' }).click();
   await page.getByLabel('Observed rocks').uncheck();
   await expect(page.getByText('30 stops')).toHaveCount(0);
   await page.getByLabel('Observed rocks').check();
@@ -53,7 +54,7 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Observed' }).click();
-  const distances = page.getByRole('table', { name: /^Distance between observed/ });
+  const distances = page.getByRole('region', { name: /^Distance between observed/ });
   await expect(distances).toBeVisible();
   const [row] = await cellsOf(distances);
   expect(row![0]).toBe('x of the end point');
@@ -76,7 +77,7 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   await page.getByRole('tab', { name: 'Calibrate' }).click();
   await expect(page.getByLabel('Sets of the study')).toHaveValue('200');
   await card.getByRole('button', { name: 'Results' }).click();
-  const known = page.getByRole('table', { name: 'What is known of each parameter' });
+  const known = page.getByRole('region', { name: 'What is known of each parameter' });
   await expect(known).toBeVisible();
   const rows = await cellsOf(known);
   expect(rows.map(([name]) => name)).toEqual(['material.Scree.tangential_restitution', 'material.Meadow.friction_angle_deg [deg]']);
@@ -88,7 +89,7 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   await expect(page.getByRole('img', { name: /^Prior and posterior of material.Scree/ })).toBeVisible();
   await expect(page.getByRole('img', { name: /^Cumulative distribution of runout, stops/ })).toBeVisible();
   await expect(page.getByRole('img', { name: /^Sets of the posterior by/ })).toBeVisible();
-  await expect(page.getByRole('table', { name: /held out/ })).toBeVisible();
+  await expect(page.getByRole('region', { name: /held out/ })).toBeVisible();
 
   // Predictions.
   await page.getByRole('button', { name: 'Predict with the posterior' }).click();
@@ -98,7 +99,7 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   await computeWith(page, 'Prediction', 2000);
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Uncertainty' }).click();
-  const bands = page.getByRole('table', { name: /^Figures with their 90 % ranges over 50 ensembles/ });
+  const bands = page.getByRole('region', { name: /^Figures with their 90 % ranges over 50 ensembles/ });
   await expect(bands).toBeVisible();
   const [figure] = await cellsOf(bands);
   const [value, low, high] = figure!.slice(2, 5).map(Number);
