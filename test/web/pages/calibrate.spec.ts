@@ -54,7 +54,7 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Observed' }).click();
-  const distances = page.getByRole('region', { name: /^Distance between observed/ });
+  const distances = page.getByRole('region', { name: /^Energy distance between observed/ });
   await expect(distances).toBeVisible();
   const [row] = await cellsOf(distances);
   expect(row![0]).toBe('x of the end point');

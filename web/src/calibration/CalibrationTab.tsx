@@ -116,7 +116,7 @@ function PredictionChart({ run, name, feature }: { run: Run; name: string; featu
 function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
   const { parameters, observations, held_out: heldOut, best } = summary;
   return (
-    <div>
+    <div class="calibration-tables">
       <DataTable
         caption="What is known of each parameter"
         file={fileName(run.name, 'parameters')}
@@ -226,8 +226,8 @@ function Results({ run }: { run: Run }) {
             Report
           </a>
         </div>
-        {summary.warnings.map((warning) => (
-          <p key={warning} class="problem warning">
+        {run.problems.map(({ text: warning, severity }) => (
+          <p key={warning} class={`problem ${severity}`}>
             {warning}
           </p>
         ))}
@@ -246,8 +246,8 @@ function Results({ run }: { run: Run }) {
             ),
           )}
         {hasPosterior && summary.parameters.length > 1 && <Pairs run={run} summary={summary} />}
-        <Tables run={run} summary={summary} />
       </div>
+      <Tables run={run} summary={summary} />
     </div>
   );
 }

@@ -67,15 +67,15 @@ function Comparison({ run, name }: { run: Run; name: string }) {
         ))}
         <div>
           <DataTable
-            caption={`Distance between observed (${name}) and simulated`}
+            caption={`Energy distance between observed (${name}) and simulated`}
             file={fileName(run.name, 'observed', 'distance')}
             hasHeads
             columns={[
               { key: 'quantity', title: 'Quantity', isText: true },
-              { key: 'energy_distance_m', title: 'Energy distance', unit: 'm' },
-              { key: 'by_chance_median_m', title: 'By chance alone, median', unit: 'm' },
-              { key: 'by_chance_95_m', title: '95 %', unit: 'm' },
-              { key: 'p_value_percent', title: 'Chance is as far in', unit: '%' },
+              { key: 'energy_distance_m', title: 'Distance', unit: 'm' },
+              { key: 'by_chance_median_m', title: 'By chance, median', unit: 'm' },
+              { key: 'by_chance_95_m', title: 'By chance, 95 %', unit: 'm' },
+              { key: 'p_value_percent', title: 'Chance is as far', unit: '%' },
             ]}
             rows={of.quantities.map((quantity) => {
               const { value, median, p95, p_value } = quantity.energy_distance;

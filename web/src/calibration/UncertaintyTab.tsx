@@ -37,13 +37,13 @@ export function UncertaintyTab({ run }: { run: Run }) {
           { key: 'figure', title: 'Figure', isText: true },
           { key: 'unit', title: 'Unit', isText: true, isUnit: true },
           { key: 'value', title: 'All rocks' },
-          { key: 'low', title: 'Between ensembles, from' },
+          { key: 'low', title: 'Ensembles, from' },
           { key: 'high', title: 'to' },
-          { key: 'parameters_low', title: 'Parameters alone, from' },
+          { key: 'parameters_low', title: 'Parameters, from' },
           { key: 'parameters_high', title: 'to' },
-          { key: 'rocks_low', title: 'Rocks alone, from' },
+          { key: 'rocks_low', title: 'Rocks, from' },
           { key: 'rocks_high', title: 'to' },
-          { key: 'parameter_share', title: 'Part of the parameters', unit: '%' },
+          { key: 'parameter_share', title: 'Parameters’ part', unit: '%' },
         ]}
         unitAt={(row, column) => (column >= 2 && column <= 8 ? figures[row]!.unit || '%' : undefined)}
         rows={figures.map((each) => [

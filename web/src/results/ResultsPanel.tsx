@@ -102,6 +102,7 @@ export function ResultsPanel() {
   if (tabs.length === 0) return null;
   const now = (tabs.find(({ name }) => name === resultsTab.value) ?? tabs[0]!).name;
   const Page = pages[now].page;
+  const name = (now === 'calibration' ? shownCalibration.value : run)?.name;
   const isOpen = resultsOpen.value;
   return (
     <section
@@ -120,8 +121,8 @@ export function ResultsPanel() {
             resultsOpen.value = true;
           }}
         />
-        <span class="results-run" title={run?.name}>
-          {run?.name}
+        <span class="results-run" title={name}>
+          {name}
         </span>
         <button
           class="button plain"

@@ -22,7 +22,9 @@ export class ObservedScene {
       for (const { kind, places } of shownObserved.value) {
         if (places.length === 0) continue;
         const shape = kind === 'stops' ? 'diamond' : 'cross';
-        this.group.add(dots(places.map(scene.local), { colour: markColours[kind], size: 14, shape }));
+        const drawn = dots(places.map(scene.local), { colour: markColours[kind], size: 16, shape });
+        drawn.renderOrder = 12; // over the simulated end points
+        this.group.add(drawn);
       }
       scene.stage.invalidate();
     });

@@ -29,10 +29,26 @@ function polyline(pen: Pen, points: [number, number][], width: number, colour: s
   pen.stroke();
 }
 
-function polygon(pen: Pen, corners: [number, number][], colour: string) {
+function diamond(pen: Pen, [x, y]: [number, number], size: number) {
+  const corners: [number, number][] = [
+    [x, y - size],
+    [x + size, y],
+    [x, y + size],
+    [x - size, y],
+  ];
   polyline(pen, corners, 2.5, '#ffffff', true);
-  pen.fillStyle = colour;
+  pen.fillStyle = markColours.stops;
   pen.fill();
+}
+
+function cross(pen: Pen, [x, y]: [number, number], size: number) {
+  const arm = 0.8 * size;
+  const stroke = (width: number, colour: string) => {
+    polyline(pen, [[x - arm, y - arm], [x + arm, y + arm]], width, colour);
+    polyline(pen, [[x - arm, y + arm], [x + arm, y - arm]], width, colour);
+  };
+  stroke(4.5, '#ffffff');
+  stroke(2.2, markColours.marks);
 }
 
 /// Each function draws marks and returns their labels.
@@ -65,27 +81,7 @@ export function drawObserved(pen: Pen, frame: Frame, lists: readonly ObservedPla
   for (const { kind, places } of lists) {
     const pixels = places.map(([x, , z]) => pixelOf(frame, x, z));
     const size = markRadius(meanSpacing(pixels), 6) + 1;
-    const drawn: [number, number][] =
-      kind === 'stops'
-        ? [
-            [0, -1],
-            [1, 0],
-            [0, 1],
-            [-1, 0],
-          ]
-        : [];
-    for (const [x, y] of pixels) {
-      if (kind === 'stops') {
-        polygon(pen, drawn.map(([dx, dy]) => [x + size * dx, y + size * dy]), markColours.stops);
-        continue;
-      }
-      for (const [width, colour] of [
-        [4.5, '#ffffff'],
-        [2.2, markColours.marks],
-      ] as const)
-        for (const lean of [1, -1])
-          polyline(pen, [[x - 0.8 * size, y - 0.8 * lean * size], [x + 0.8 * size, y + 0.8 * lean * size]], width, colour);
-    }
+    for (const at of pixels) (kind === 'stops' ? diamond : cross)(pen, at, size);
   }
 }
 
