@@ -5,24 +5,19 @@ import type { CalibrationSummary } from '../api/calibration';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { readFolder } from '../model/files';
-import { pathOf, type Edit } from '../model/names';
+import type { Edit } from '../model/names';
 import { textOf } from '../runs/runText';
 import { file } from '../state/document';
 import { notify } from '../state/messages';
 import { close, start } from '../state/opening';
 import { save } from '../state/saving';
 import { allWritten } from '../state/writes';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { editOf } from './bestFit';
 import { form, setForm } from './observations';
 
 export const ensembles = 50;
 const rocksEach = 200;
-
-/// The edit of a setting as the engine writes it: "material.0.roughness_deg={ mean = 4, ... }".
-export function editOf(setting: string): Edit {
-  const at = setting.indexOf('=');
-  return { set: pathOf(setting.slice(0, at)), value: valuesOf(`value = ${setting.slice(at + 1)}`).value! };
-}
 
 /// A name beside the project that no file has: "slope-posterior", without ending.
 async function freshStem(project: string, word: string): Promise<string> {
