@@ -1,5 +1,6 @@
 // Observed rocks: imported, seen, calibrated with, and predicted.
 
+import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -90,6 +91,13 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   await expect(page.getByRole('img', { name: /^Cumulative distribution of runout, stops/ })).toBeVisible();
   await expect(page.getByRole('img', { name: /^Sets of the posterior by/ })).toBeVisible();
   await expect(page.getByRole('region', { name: /held out/ })).toBeVisible();
+
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await page.emulateMedia({ colorScheme });
+    const { violations } = await new AxeBuilder({ page }).analyze();
+    const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
+    expect(serious.map(({ id, nodes }) => `${id}: ${nodes[0]!.html}`)).toEqual([]);
+  }
 
   // Predictions.
   await page.getByRole('button', { name: 'Predict with the posterior' }).click();

@@ -84,6 +84,7 @@ export interface CalibrationSummary {
     count: number;
     threshold: number;
     best_distance: number | null;
+    zones?: { name: string; observed_share: number; predicted_share: { p05: number; p50: number; p95: number } }[];
     features: {
       name: string;
       unit: string;

@@ -137,7 +137,7 @@ function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
         ])}
       />
       <DataTable
-        caption="How well the observations are met: energy distance over the observed spread"
+        caption="How well the observations are met: distance over the observed spread"
         file={fileName(run.name, 'fit')}
         hasHeads
         columns={[
@@ -166,6 +166,26 @@ function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
           ]),
         )}
       />
+      {observations.some(({ zones }) => zones) && (
+        <DataTable
+          caption="Shares of deposits by zone"
+          file={fileName(run.name, 'zones')}
+          hasHeads
+          columns={[
+            { key: 'zone', title: 'Zone', isText: true },
+            { key: 'observed_share', title: 'Observed' },
+            { key: 'predicted_05', title: 'Predicted, 5 %' },
+            { key: 'predicted_50', title: '50 %' },
+            { key: 'predicted_95', title: '95 %' },
+          ]}
+          rows={observations.flatMap(({ zones = [] }) =>
+            zones.map(({ name, observed_share, predicted_share: { p05, p50, p95 } }) => [
+              name,
+              ...[observed_share, p05, p50, p95].map(text),
+            ]),
+          )}
+        />
+      )}
       {heldOut.length > 0 && (
         <DataTable
           caption="Predictions of observations that were held out: scores over the observed spread; lower is better"

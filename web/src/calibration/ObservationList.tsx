@@ -11,17 +11,27 @@ import {
   changeObservation,
   countOf,
   form,
+  hasPlaces,
   problemsOfFile,
   removeObservation,
   takeObserved,
 } from './observations';
 import { ProblemsAt } from './ProblemsAt';
-import type { Observation, ObservationKind } from './study';
+import { numbersOfKind, type Observation, type ObservationKind, type ObservationNumber } from './study';
 
 const kinds: Record<ObservationKind, string> = {
   stops: 'Stops',
   marks: 'Impact marks',
   values: 'Values at a line',
+  zones: 'Deposits by zone',
+};
+/// With the defaults of `talus calibrate`.
+const numbers: Record<ObservationNumber, { title: string; usual: string; what: string }> = {
+  accuracy_m: { title: 'Accuracy, m', usual: '0.5', what: 'Standard deviation of an observed place or height' },
+  weight: { title: 'Weight', usual: '1', what: 'Less than 1 where rocks were not independent of each other' },
+  released: { title: 'Released', usual: '', what: 'Volume in m³ or number of all rocks that were released' },
+  blocks: { title: 'Blocks', usual: '', what: 'How many rocks the volumes or shares consist of' },
+  relative_accuracy: { title: 'Relative accuracy', usual: '0.2', what: 'Standard deviation of an observed volume or share, over itself' },
 };
 
 function ObservationRow({ index, of }: { index: number; of: Observation }) {
@@ -65,32 +75,28 @@ function ObservationRow({ index, of }: { index: number; of: Observation }) {
         )}
       </div>
       <div class="row numbers">
-        <label>
-          Accuracy, m
-          <TypedInput
-            label={`Accuracy in m ${about}`}
-            value={of.accuracy_m}
-            placeholder="0.5"
-            take={(value) => changeObservation(index, { accuracy_m: value as number })}
-          />
-        </label>
-        <label>
-          Weight
-          <TypedInput
-            label={`Weight ${about}`}
-            value={of.weight}
-            placeholder="1"
-            take={(value) => changeObservation(index, { weight: value as number })}
-          />
-        </label>
+        {numbersOfKind(of.kind).map((key) => (
+          <label key={key} title={numbers[key].what}>
+            {numbers[key].title}
+            <TypedInput
+              label={`${numbers[key].title} ${about}`}
+              value={of.numbers?.[key]}
+              placeholder={numbers[key].usual}
+              take={(value) => {
+                const { [key]: _, ...others } = of.numbers ?? {};
+                changeObservation(index, { numbers: typeof value === 'number' ? { ...others, [key]: value } : others });
+              }}
+            />
+          </label>
+        ))}
       </div>
-      {of.kind !== 'values' &&
+      {hasPlaces(of) &&
         problemsOfFile(of.file).map((problem) => (
           <span key={problem.text} class={`problem ${problem.severity}`} role="alert">
             {problem.text}
           </span>
         ))}
-      <ProblemsAt path={`observations.${index}`} except={problemsOfFile(of.file)} />
+      <ProblemsAt path={`observations.${index}`} except={hasPlaces(of) ? problemsOfFile(of.file) : []} />
     </li>
   );
 }

@@ -24,6 +24,10 @@ export const form = computed<StudyForm>(() => {
 export const setForm = (next: StudyForm) => (keptForm.value = JSON.stringify(next));
 export const changeForm = (change: Partial<StudyForm>) => setForm({ ...form.peek(), ...change });
 
+/// Whether the file has places that the views show.
+export const hasPlaces = (one: Observation): one is Observation & { kind: 'stops' | 'marks' } =>
+  one.kind === 'stops' || one.kind === 'marks';
+
 export const observedStops = computed(() => form.value.observations.filter(({ kind }) => kind === 'stops'));
 
 export function addObservation(name: string, kind: ObservationKind) {
@@ -92,7 +96,7 @@ async function readFiles(id: string, names: readonly string[]) {
 
 effect(() => {
   const [shown] = [model.value, version.value];
-  const names = form.value.observations.filter(({ kind }) => kind !== 'values').map((one) => one.file);
+  const names = form.value.observations.filter(hasPlaces).map((one) => one.file);
   if (!shown || file.value === null || names.length === 0) {
     asking?.abort();
     if (Object.keys(read.peek()).length > 0) read.value = {};
@@ -107,16 +111,10 @@ effect(() => {
 export const shownObserved = computed<ObservedPlaces[]>(() =>
   !layers.observed.value
     ? []
-    : form.value.observations.flatMap(({ kind, file: name }) =>
-        kind === 'values'
-          ? []
-          : [
-              {
-                kind,
-                places: (read.value[name]?.places ?? []).flatMap(([x, y, z]): Point3[] => (z === null ? [] : [[x, y, z]])),
-              },
-            ],
-      ),
+    : form.value.observations.filter(hasPlaces).map(({ kind, file: name }) => ({
+        kind,
+        places: (read.value[name]?.places ?? []).flatMap(([x, y, z]): Point3[] => (z === null ? [] : [[x, y, z]])),
+      })),
 );
 
 export function observedLegends(): LegendData[] {

@@ -5,8 +5,9 @@ import { formOf, studyText, type StudyForm } from './study';
 const form: StudyForm = {
   name: 'slope',
   observations: [
-    { kind: 'stops', file: 'my "stops".csv', accuracy_m: 2 },
-    { kind: 'values', file: 'hits.csv', at: 'Fence', weight: 0.5 },
+    { kind: 'stops', file: 'my "stops".csv', numbers: { accuracy_m: 2 } },
+    { kind: 'values', file: 'hits.csv', at: 'Fence', numbers: { weight: 0.5 } },
+    { kind: 'zones', file: 'deposits.gpkg', numbers: { weight: 0.5, released: 300, blocks: 40 } },
   ],
   parameters: [
     { path: 'material.Scree.roughness_deg', range: [1, 15] },

@@ -2,15 +2,20 @@
 
 import { inlineText, pairText, stringText, tableText, type TomlTable, type TomlValue } from '../toml/format';
 
-export type ObservationKind = 'stops' | 'marks' | 'values';
+export const observationKinds = ['stops', 'marks', 'values', 'zones'] as const;
+export type ObservationKind = (typeof observationKinds)[number];
+/// The numbers of an entry, in the order of the form, and the only kind that has them.
+export const observationNumbers = { accuracy_m: '', weight: '', released: 'zones', blocks: 'zones', relative_accuracy: 'zones' } as const;
+export type ObservationNumber = keyof typeof observationNumbers;
+export const numbersOfKind = (kind: ObservationKind) =>
+  (Object.keys(observationNumbers) as ObservationNumber[]).filter((key) => ['', kind].includes(observationNumbers[key]));
 export interface Observation {
   kind: ObservationKind;
   /// Relative to the project's folder.
   file: string;
   /// The barrier or collector of values.
   at?: string;
-  accuracy_m?: number;
-  weight?: number;
+  numbers?: Partial<Record<ObservationNumber, number>>;
 }
 export interface Sought {
   path: string;
@@ -38,13 +43,14 @@ export const emptyStudy = (name: string): StudyForm => ({ name, observations: []
 export function studyText(form: StudyForm, project: string): string {
   const tables: [string, TomlTable][] = [
     ['site', { project }],
-    ...form.observations.map(({ kind, file, at, accuracy_m, weight }): [string, TomlTable] => [
+    ...form.observations.map(({ kind, file, at, numbers = {} }): [string, TomlTable] => [
       'observations',
       {
         [kind]: file,
         ...(kind === 'values' && at !== undefined && { at }),
-        ...(accuracy_m !== undefined && { accuracy_m }),
-        ...(weight !== undefined && { weight }),
+        ...Object.fromEntries(
+          numbersOfKind(kind).flatMap((key) => (numbers[key] === undefined ? [] : [[key, numbers[key]]])),
+        ),
       },
     ]),
     ...form.parameters.map(({ path, range, prior }): [string, TomlTable] => [
@@ -78,16 +84,17 @@ export function formOf(values: TomlTable, name: string, project: string): StudyF
   if (sites[0]!.project !== project) refuse(`is of the project ${inlineText(sites[0]!.project ?? '')}`);
   const number = (value: TomlValue | undefined) => (typeof value === 'number' ? value : undefined);
   const observations = tablesOf(values.observations).map((table): Observation => {
-    const kind = (['stops', 'marks', 'values'] as const).find((one) => typeof table[one] === 'string');
-    const more = others(table, ['name', 'site', 'stops', 'marks', 'values', 'at', 'accuracy_m', 'weight']);
+    const kind = observationKinds.find((one) => typeof table[one] === 'string');
+    const more = others(table, ['name', 'site', ...observationKinds, 'at', ...Object.keys(observationNumbers)]);
     if (!kind || more.length > 0) return refuse(`has observations with ${more.join(', ') || 'no file'}`);
-    const [accuracy_m, weight] = [number(table.accuracy_m), number(table.weight)];
+    const numbers = Object.fromEntries(
+      numbersOfKind(kind).flatMap((key) => (number(table[key]) === undefined ? [] : [[key, Number(table[key])]])),
+    );
     return {
       kind,
       file: String(table[kind]),
       ...(typeof table.at === 'string' && { at: table.at }),
-      ...(accuracy_m !== undefined && { accuracy_m }),
-      ...(weight !== undefined && { weight }),
+      ...(Object.keys(numbers).length > 0 && { numbers }),
     };
   });
   const parameters = tablesOf(values.parameter).map((table): Sought => {
