@@ -1,7 +1,11 @@
 // The figures of a run whose rocks draw their parameters from a posterior, with the parts of their uncertainty.
 
+import { useCallback } from 'preact/hooks';
 import { observing, type FigureUncertainty, type RangeOf } from '../api/calibration';
 import type { Run } from '../api/types';
+import type { Room } from '../figures/plot';
+import { tornado } from '../figures/tornado';
+import { Chart } from '../results/Chart';
 import { DataTable } from '../results/DataTable';
 import { useRemote } from '../results/remote';
 import { fileName } from '../results/save';
@@ -14,6 +18,30 @@ const titleOf = ({ text, line }: FigureUncertainty) =>
 /// Shares have no unit in the files and are shown in percent.
 const scaled = ({ unit }: FigureUncertainty, value: number) => String(unit === '' ? 100 * value : value);
 const ends = (figure: FigureUncertainty, [, low, high]: RangeOf) => [scaled(figure, low), scaled(figure, high)];
+
+function Parts({ run, figures }: { run: Run; figures: readonly FigureUncertainty[] }) {
+  const draw = useCallback(
+    (element: SVGSVGElement, room: Room) =>
+      tornado(element, room, {
+        title: 'Part of the parameters in the variance between ensembles',
+        unit: '%',
+        per: 1,
+        bars: figures.map((each) => ({ name: titleOf(each), value: 100 * each.parameter_share, low: null, high: null })),
+      }),
+    [figures],
+  );
+  return (
+    <div class="uncertainty-parts">
+      <Chart
+        title="Part of the parameters"
+        description="Part of the parameters in the variance of each figure between ensembles; the rest is that of the rocks. The table has the numbers."
+        file={fileName(run.name, 'uncertainty', 'parts')}
+        draw={draw}
+        rows={() => [['figure', 'parameters', 'rocks'], ...figures.map((each) => [titleOf(each), each.parameter_share, 1 - each.parameter_share])]}
+      />
+    </div>
+  );
+}
 
 export function UncertaintyTab({ run }: { run: Run }) {
   const answer = useRemote(run.id, `${run.state} ${run.done}`, (signal) => observing.uncertainty(run.id, signal));
@@ -56,6 +84,7 @@ export function UncertaintyTab({ run }: { run: Run }) {
           String(100 * each.parameter_share),
         ])}
       />
+      <Parts run={run} figures={figures} />
     </div>
   );
 }

@@ -13,5 +13,8 @@ test('the numbers of materials that have an effect can be sought', () => {
   const paths = candidatesOf(project, []).map(({ path }) => path);
   expect(paths).toContain('material.Scree.normal_restitution');
   expect(paths).toContain('material.Scree.roughness_deg');
+  const pathOf = (name: string) => candidatesOf({ material: [{ name }] }, [])[0]!.path.replace(/\.\w+$/, '');
+  expect(pathOf('Scree 1.5')).toBe('material."Scree 1.5"');
+  expect(pathOf('the "old" fan')).toBe('material.0');
   expect(paths).not.toContain('material.Scree.rolling_friction');
 });

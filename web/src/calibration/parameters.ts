@@ -16,6 +16,9 @@ const meanOf = (value: unknown): number | undefined => {
   const number = typeof value === 'object' && value !== null ? (value as { mean?: unknown }).mean : value;
   return typeof number === 'number' && Number.isFinite(number) ? number : undefined;
 };
+/// A material in a path, by its name where that can be written.
+const partOf = (name: string, index: number) =>
+  name === '' || name.includes('"') ? String(index) : name.includes('.') ? `"${name}"` : name;
 const rounded = (value: number) => Number(value.toPrecision(3));
 
 /// The range of published values; without them what the setting may be, or from half to twice the present value.
@@ -47,7 +50,7 @@ export function candidatesOf(project: TomlTable, library: readonly LibraryMateri
         const now = meanOf(row[key]) ?? meanOf(like[key]) ?? meanOf(usual);
         const legal = 'range' in type ? type.range : {};
         return {
-          path: `material.${name || index}.${key}`,
+          path: `material.${partOf(name, index)}.${key}`,
           title: `${name || `material ${index + 1}`}: ${title.toLowerCase()}${unit ? `, ${unit}` : ''}`,
           range: suggestedRange(published, now, legal),
         };
