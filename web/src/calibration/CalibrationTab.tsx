@@ -22,6 +22,7 @@ import './calibration.css';
 type Parameter = CalibrationSummary['parameters'][number];
 type Feature = CalibrationSummary['observations'][number]['features'][number];
 
+const shortName = (path: string) => path.replace(/^material\./, '');
 const text = (value: number | null | undefined) => (value === null || value === undefined ? '' : String(value));
 
 function ParameterChart({ run, parameter, best }: { run: Run; parameter: Parameter; best: number }) {
@@ -67,8 +68,8 @@ function Pairs({ run, summary }: { run: Run; summary: CalibrationSummary }) {
   const draw = useCallback(
     (element: SVGSVGElement, room: Room) =>
       parameterPairs(element, room, {
-        x: { title: x.name, unit: x.unit },
-        y: { title: y.name, unit: y.unit },
+        x: { title: shortName(x.name), unit: x.unit },
+        y: { title: shortName(y.name), unit: y.unit },
         sets: rows.map((row) => ({ x: row[x.name]!, y: row[y.name]!, weight: row.weight! })),
       }),
     [rows, x, y],
@@ -87,11 +88,11 @@ function Pairs({ run, summary }: { run: Run; summary: CalibrationSummary }) {
           <select aria-label="Pair of parameters" value={chosen} onChange={(event) => choose(Number(event.currentTarget.value))}>
             {pairs.map(([a, b], k) => (
               <option key={k} value={k}>
-                {parameters[a]!.name} – {parameters[b]!.name}
+                {shortName(parameters[a]!.name)} – {shortName(parameters[b]!.name)}
               </option>
             ))}
           </select>
-          {correlation !== undefined && <span class="faint">correlation {correlation.toFixed(2)}</span>}
+          {correlation !== undefined && <span class="faint correlation">correlation {correlation.toFixed(2)}</span>}
         </>
       }
     />
