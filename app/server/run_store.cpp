@@ -42,8 +42,7 @@ void check_order(const std::string& file, const calibration::Study& study, const
   if (!study.models.empty())
     throw Refusal(400, file, "has [[model]]", "the workbench calibrates one model at a time",
                   "Run the study with talus calibrate");
-  for (const auto& site : study.sites)
-    static_cast<void>(workplace.at(name_beside(file, site.project)));
+  for (const auto& site : study.sites) static_cast<void>(workplace.at(name_beside(file, site.project)));
   for (const calibration::StudyObservations& each : study.observations)
     static_cast<void>(workplace.at(name_beside(file, each.file())));
   if (fs::path(name_beside(file, study.sites.front().project)).parent_path() != fs::path(file).parent_path())
