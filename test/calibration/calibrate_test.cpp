@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/slope.hpp"
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
 #include "talus/calibration/result_files.hpp"
@@ -27,27 +28,7 @@ namespace {
 
 using testing_tools::replaced;
 
-const std::string slope = R"(
-[terrain]
-section = [[0, 0], [40, -40], [70, -55], [300, -60]]
-[[material]]
-name = "Scree"
-normal_restitution = { mean = 0.3, distribution = "normal", std_dev = 0.04 }
-tangential_restitution = { mean = 0.9, distribution = "normal", std_dev = 0.04 }
-friction_angle_deg = 30
-roughness_deg = 5
-[[seeder]]
-name = "Cliff"
-type = "point"
-position = [1, 3]
-mass_kg = 300
-rocks = 40
-horizontal_velocity_m_s = 2
-[[collector]]
-name = "Road"
-line = 60
-height_m = 20
-)";
+const std::string slope = scree_slope + cliff_release + road_collector;
 
 const std::string study_text = R"(
 rocks = 80
@@ -199,6 +180,8 @@ TEST_F(Calibrations, WriteTheBestFitAsAProjectInItsPlace) {
   project::Reading best = project::read_project(path("out/best/site 1.toml"));
   EXPECT_EQ(best.project.materials[0].tangential_restitution.mean, result.sets[result.best].values[0]);
   EXPECT_EQ(best.project.materials[0].tangential_restitution.std_dev, 0.04);
+  const std::string text = bytes_of(path("out/best/site 1.toml"));
+  EXPECT_NE(text.find("{ distribution = 'normal', mean = 0.3, std_dev = 0.04 }"), std::string::npos) << text;
   EXPECT_EQ(best.project.materials[0].roughness_deg.mean, result.sets[result.best].values[1]);
   EXPECT_NO_THROW(static_cast<void>(project::build_model(best.project, best.warnings)));
   const std::string header = "weight,score,material.Scree.tangential_restitution,material.Scree.roughness_deg\n";

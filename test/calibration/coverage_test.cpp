@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/slope.hpp"
 #include "talus/calibration/likelihood.hpp"
 #include "talus/calibration/sampler.hpp"
 #include "talus/core/random.hpp"
@@ -19,23 +20,6 @@ namespace talus::calibration {
 namespace {
 
 constexpr std::size_t rocks = 150, observed_rocks = 25, prior_sets = 1500;
-
-constexpr const char* hill = R"(
-[terrain]
-section = [[0, 0], [40, -40], [70, -55], [300, -60]]
-[[material]]
-name = "Scree"
-normal_restitution = { mean = 0.3, distribution = "normal", std_dev = 0.04 }
-tangential_restitution = { mean = 0.8, distribution = "normal", std_dev = 0.04 }
-friction_angle_deg = 30
-roughness_deg = 5
-[[seeder]]
-type = "point"
-position = [1, 3]
-mass_kg = 300
-rocks = 150
-horizontal_velocity_m_s = 2
-)";
 
 const std::vector<std::string> paths{"material.Scree.tangential_restitution", "material.Scree.friction_angle_deg",
                                      "material.Scree.roughness_deg"};
@@ -94,7 +78,7 @@ class Replicas {
 
   static study::PreparedSite site_with(std::uint64_t seed) {
     Problems warnings;
-    return {project::read_project_text(hill, "slope.toml", {{}, std::nullopt, seed}).project, warnings};
+    return {project::read_project_text(scree_slope + cliff_release, "slope.toml", {{}, rocks, seed}).project, warnings};
   }
   static Sample stops_of(const study::SetOutcome& outcome) {
     Sample sample;

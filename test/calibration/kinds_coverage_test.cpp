@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "calibration/slope.hpp"
 #include "talus/calibration/group_comparison.hpp"
 #include "talus/calibration/sampler.hpp"
 #include "talus/core/random.hpp"
@@ -19,15 +20,7 @@ namespace talus::calibration {
 namespace {
 
 /// Four releases along a slope, of which the lower ones fall on scree alone.
-constexpr const char* four_releases = R"(
-[terrain]
-section = [[0, 0], [40, -40], [70, -55], [300, -60]]
-[[material]]
-name = "Scree"
-normal_restitution = { mean = 0.3, distribution = "normal", std_dev = 0.04 }
-tangential_restitution = { mean = 0.8, distribution = "normal", std_dev = 0.04 }
-friction_angle_deg = 30
-roughness_deg = 5
+const std::string four_releases = scree_slope + R"(
 [[seeder]]
 name = "A"
 type = "point"
@@ -79,9 +72,9 @@ class Kinds : public ::testing::Test {
   Coverage coverage(const Observe& observe, std::size_t sets = 400) {
     const study::PreparedSite site = site_with(5);
     Problems problems;
-    std::vector<study::SettingNumber> numbers;
+    std::vector<project::SettingNumber> numbers;
     for (const std::string& name : names)
-      numbers.push_back(*study::SettingNumber::find(site.project(), name, {}, problems));
+      numbers.push_back(*project::SettingNumber::find(site.project(), name, {}, problems));
     Sampler sampler(names.size(), 5);
     std::vector<study::ParameterSet> values;
     for (const Place& place : sampler.next_round(sets)) values.push_back(values_at(place));

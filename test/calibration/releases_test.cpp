@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "calibration/slope.hpp"
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
 #include "talus/calibration/calibrate.hpp"
@@ -16,15 +17,7 @@ namespace {
 
 using testing_tools::replaced;
 
-const std::string table_slope = R"(
-[terrain]
-section = [[0, 0], [40, -40], [70, -55], [300, -60]]
-[[material]]
-name = "Scree"
-normal_restitution = { mean = 0.3, distribution = "normal", std_dev = 0.04 }
-tangential_restitution = { mean = 0.8, distribution = "normal", std_dev = 0.04 }
-friction_angle_deg = 30
-roughness_deg = 5
+const std::string table_slope = scree_slope + R"(
 [[seeder]]
 name = "Field"
 type = "table"

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "calibration/slope.hpp"
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
 #include "talus/calibration/calibrate.hpp"
@@ -35,18 +36,7 @@ section = [[0, 0], [40, -40], [300, -60]]
 [[material]]
 name = "Scree"
 tangential_restitution = { mean = 0.8, distribution = "normal", std_dev = 0.04 }
-[[seeder]]
-name = "Cliff"
-type = "point"
-position = [1, 3]
-mass_kg = 300
-rocks = 40
-horizontal_velocity_m_s = 2
-[[collector]]
-name = "Road"
-line = 60
-height_m = 10
-)";
+)" + cliff_release + road_collector;
 
 std::string refusal(const std::string& text) {
   try {

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "calibration/slope.hpp"
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
 #include "talus/calibration/result_files.hpp"
@@ -18,23 +19,10 @@ namespace {
 
 using testing_tools::replaced;
 
-const std::string zone_slope = R"(
-[terrain]
-section = [[0, 0], [40, -40], [70, -55], [300, -60]]
-[[material]]
-name = "Scree"
-normal_restitution = { mean = 0.3, distribution = "normal", std_dev = 0.04 }
-tangential_restitution = { mean = 0.9, distribution = "normal", std_dev = 0.04 }
-friction_angle_deg = 30
-roughness_deg = 5
-[[seeder]]
-name = "Cliff"
-type = "point"
-position = [1, 3]
-mass_kg = { mean = 300, distribution = "lognormal", std_dev = 150 }
-rocks = 200
-horizontal_velocity_m_s = 2
-)";
+const std::string zone_slope =
+    scree_slope + replaced(replaced(cliff_release, "mass_kg = 300",
+                                    "mass_kg = { mean = 300, distribution = \"lognormal\", std_dev = 150 }"),
+                           "rocks = 40", "rocks = 200");
 
 const std::string wide_slope = R"(
 [terrain]

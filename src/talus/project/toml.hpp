@@ -1,12 +1,19 @@
 #pragma once
-// toml++, with two of its assumptions removed.
+// toml++, with three of its assumptions removed.
 
 // Some files violate two assumptions of toml++ 3.3, which are not needed: that the name of a table begins with a letter
 // (`[=]` does not, and a proper error follows two lines later), and that any character outside quotes is either in the
 // range of blanks or far from it (U+0362 is neither, and is not a blank). Always include toml++ through this header:
 // if two files defined its functions differently, the linker would pick either.
+//
+// The third: that no compiler's library has std::to_chars for floating-point numbers. With it, numbers are written with
+// the fewest digits from which the same number is read: 0.3, not 0.29999999999999999.
 // clang-format off
 #include <cstdint>
+#include <version>
+#ifdef __cpp_lib_to_chars
+#define TOML_FLOAT_CHARCONV 1
+#endif
 #define TOML_ASSERT(expression) static_assert(true)
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
