@@ -219,6 +219,27 @@ TEST_F(Calibrations, SayWhatCannotBeReached) {
   EXPECT_GT(result.misfit, 1);
 }
 
+TEST_F(Calibrations, SayWhichGroundNoObservedRockTouched) {
+  // Rocks of a second release fall on the meadow; only those of the cliff were observed, on scree.
+  write("slope.toml",
+        replaced(replaced(slope, "[[seeder]]",
+                          "[[material]]\nname = \"Meadow\"\nnormal_restitution = 0.3\nfriction_angle_deg = 30\n"
+                          "tangential_restitution = 0.8\n[ground]\nsegments = [\"Scree\", \"Scree\", \"Scree\", "
+                          "\"Meadow\"]\n[[seeder]]\nname = \"Wall\"\ntype = \"point\"\nposition = [150, -50]\n"
+                          "mass_kg = 300\nrocks = 40\nhorizontal_velocity_m_s = 3\n[[seeder]]"),
+                 "[300, -60]]", "[130, -56], [300, -60]]"));
+  write("stops.csv", "x_m,release\n66,Cliff\n67,Cliff\n68,Cliff\n69,Cliff\n70,Cliff\n71,Cliff\n72,Cliff\n73,Cliff\n");
+  write("study.toml", study_text + "[[parameter]]\npath = \"material.Meadow.friction_angle_deg\"\nrange = [20, 40]\n");
+  const CalibrationResult result = calibrate(prepared());
+  EXPECT_NE(result.warnings.text().find("parameter \"material.Meadow.friction_angle_deg\": 0 of the "),
+            std::string::npos)
+      << result.warnings.text();
+  EXPECT_NE(result.warnings.text().find("simulated rocks that come nearest to the observed ones depend on it (it seems "
+                                        "that no observed rock touched the ground \"Meadow\")"),
+            std::string::npos)
+      << result.warnings.text();
+}
+
 /// The whole calibration of many synthetic sites; with `make soak`.
 TEST_F(Calibrations, CalibrationCoverageOfWholeCalibrations) {
   const char* effort = std::getenv("TALUS_TEST_EFFORT");

@@ -138,10 +138,9 @@ TEST_F(StudyFiles, RefuseTablesThatCannotBeRead) {
 
 TEST_F(StudyFiles, RefuseMoreParametersThanObservations) {
   const std::string two = small + "[[parameter]]\npath = \"material.Scree.roughness_deg\"\nrange = [0, 9]\n";
-  EXPECT_EQ(
-      problems_of(two, "x_m\n90\n"),
-      "study.toml: 2 parameters are sought from 1 observations (there must be at least as many observations). Fix "
-      "some parameters in the projects, or share them between materials and sites");
+  EXPECT_EQ(problems_of(two, "x_m\n90\n"),
+            "study.toml: 2 parameters are sought from 1 observation (there must be at least as many observations). Fix "
+            "some parameters in the projects, or share them between materials and sites");
 }
 
 TEST_F(StudyFiles, RefuseRangesOutsideWhatASettingMayBe) {
@@ -157,7 +156,45 @@ TEST_F(StudyFiles, WarnOfParametersThatNothingDependsOn) {
       "in the project (a study varies numbers that are). Give it a value there");
   EXPECT_EQ(problems_of(replaced(small, "material.Scree.friction_angle_deg", "analysis.max_time_s") + "", "x_m\n90\n"),
             "was read");
-  EXPECT_NE(warnings().find("no rock depends on it"), std::string::npos) << warnings();
+  EXPECT_NE(warnings().find("no rock depends on it (all rocks move the same with its smallest and its largest value). "
+                            "Leave it out"),
+            std::string::npos)
+      << warnings();
+}
+
+TEST_F(StudyFiles, RefuseColumnsInOtherUnits) {
+  EXPECT_EQ(
+      problems_of(small, "x_ft\n300\n"),
+      "stops.csv:1: column \"x_ft\" has another unit (the unit is in the name; expected x_m). Convert it, and name "
+      "it x_m");
+  EXPECT_EQ(problems_of(small, "lat,lon\n47.1,11.2\n"),
+            "stops.csv:1: there is no column x_m (the columns are lat, lon). Degrees are read from points of a "
+            "GeoPackage, Shapefile or GeoJSON");
+  const std::string values = replaced(small, "stops = \"stops.csv\"", "values = \"stops.csv\"\nat = \"Road\"");
+  EXPECT_EQ(problems_of(values, "height,energy_J\n3,4000\n"),
+            "stops.csv:1: column \"height\" has no unit (the unit is in the name; expected height_m). Convert it, and "
+            "name it height_m\n"
+            "stops.csv:1: column \"energy_J\" has another unit (the unit is in the name; expected energy_kJ). Convert "
+            "it, and name it energy_kJ");
+  EXPECT_EQ(problems_of(values, "velocity_m_s,energy_kJ\n12,-3\n"),
+            "stops.csv:2: energy_kJ is -3 (expected 0 or more)");
+  EXPECT_EQ(problems_of(values, "velocity_m_s,energy_kJ\n12,30000\n"), "was read");
+  EXPECT_NE(warnings().find("the energies and velocities imply rocks of 4.17e+05 kg (the simulated rocks have 300 to "
+                            "300 kg). Check the units"),
+            std::string::npos)
+      << warnings();
+  EXPECT_EQ(problems_of(replaced(values, "Road", "Bridge"), "velocity_m_s\n12\n"),
+            "study.toml:6: observations \"stops\": at is \"Bridge\" (the project has no collector or barrier of this "
+            "name). Add a [[collector]] \"Bridge\" to the project");
+}
+
+TEST_F(StudyFiles, WarnOfColumnsThatAreNotRead) {
+  EXPECT_EQ(problems_of(small, "x_m,y_m,relase,remark\n90,3,Cliff,wet\n"), "was read");
+  EXPECT_NE(warnings().find("stops.csv:1: warning: column \"relase\" is not read. Did you mean \"release\"?\n"
+                            "stops.csv:1: warning: column y_m is not read (a section has x alone)"),
+            std::string::npos)
+      << warnings();
+  EXPECT_EQ(warnings().find("remark"), std::string::npos);
 }
 
 TEST_F(StudyFiles, WarnOfStopsAboveTheGround) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "talus/calibration/reach.hpp"
 #include "talus/calibration/touched_ground.hpp"
@@ -40,15 +39,6 @@ class Doubts {
                        std::sqrt(result_.misfit)),
            "Compare the observed and predicted distributions in the report");
     }
-  }
-
-  /// `the ground "Scree"` of material.Scree.roughness_deg; empty for other parameters.
-  static std::string material_of(const std::string& name) {
-    constexpr std::string_view table = "material.";
-    const std::size_t end = name.rfind('.');
-    if (!name.starts_with(table) || end <= table.size()) return "";
-    const std::string material = name.substr(table.size(), name.find('.', table.size()) - table.size());
-    return material == "*" ? "" : fmt::format("the ground \"{}\"", material);
   }
 
   void of_parameters() {
@@ -103,11 +93,11 @@ class Doubts {
     for (std::size_t k = 0; k < dependences.size(); ++k) {
       const Dependence& each = dependences[k];
       const std::string where = fmt::format("parameter \"{}\"", study_.parameters()[k].name);
-      const std::string ground = material_of(study_.parameters()[k].name);
+      const std::string ground = ground_of(study_.parameters()[k].name);
       if (static_cast<double>(each.rocks) < few * static_cast<double>(each.all)) {
         warn(where, fmt::format("{} of {} rocks of the best set depend on it", each.rocks, each.all),
              ground.empty() ? "" : fmt::format("hardly any rock touches {}", ground),
-             "Observe rocks that do, or leave it out");
+             each.rocks == 0 || ground.empty() ? "Leave it out" : "Observe rocks that do, or leave it out");
       } else if (static_cast<double>(each.near) < few * static_cast<double>(each.all_near)) {
         warn(where,
              fmt::format("{} of the {} simulated rocks that come nearest to the observed ones depend on it", each.near,

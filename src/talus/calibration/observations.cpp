@@ -124,7 +124,8 @@ void take_values(const Study& study, const StudyObservations& from, const study:
                            .where = fmt::format("observations \"{}\"", from.name),
                            .what = fmt::format("at is \"{}\"", from.at),
                            .why = "the project has no collector or barrier of this name",
-                           .hint = near ? fmt::format("Did you mean \"{}\"?", *near) : ""});
+                           .hint = near ? fmt::format("Did you mean \"{}\"?", *near)
+                                        : fmt::format("Add a [[collector]] \"{}\" to the project", from.at)});
   }
   group.barrier = BarrierId{static_cast<std::uint32_t>(found - names.begin())};
   const ObservationTable table(study.file.parent_path() / from.values);

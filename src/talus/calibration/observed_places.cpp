@@ -54,6 +54,10 @@ class PlaceReader {
                                          ? "Degrees are read from points of a GeoPackage, Shapefile or GeoJSON"
                                          : "Name the columns of the coordinates x_m and y_m, in metres"});
     }
+    if (is_2d_ && y) {
+      warnings_.add({Severity::warning, table.file(), 1, "", "column y_m is not read", "a section has x alone",
+                     "Check that x_m is along the section, as its vertices have it"});
+    }
     if (!from_.marks.empty() && !rock) say_marks_are_alike(table);
     std::vector<ObservedPlace> places;
     for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -156,8 +160,10 @@ class PlaceReader {
       std::string hint = "Leave out what lies off the terrain, or extend the terrain";
       if (off == places.size()) {
         hint = is_2d_ ? "Give x along the section, as its vertices have it"
-                      : "Convert them to the terrain's coordinates, or give them as points in a GIS file, which are "
-                        "converted";
+               : is_text_table(file_)
+                   ? "Convert them to the terrain's coordinates, or give them as points in a GIS file, "
+                     "which are converted"
+                   : "Check the coordinate systems of the file and of the terrain";
       }
       if (swapped == off) hint = "x and y seem to be exchanged";
       problems_.add({.file = file_.string(),

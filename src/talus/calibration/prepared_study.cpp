@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "talus/calibration/calibrate.hpp"
+#include "talus/calibration/touched_ground.hpp"
 #include "talus/files/checksum.hpp"
 
 namespace talus::calibration {
@@ -11,6 +12,11 @@ namespace talus::calibration {
 namespace {
 
 constexpr double observations_per_parameter = 5;
+
+std::string counts_of(std::size_t parameters, std::size_t observations) {
+  return fmt::format("{} parameter{} sought from {} observation{}", parameters, parameters == 1 ? " is" : "s are",
+                     observations, observations == 1 ? "" : "s");
+}
 
 void add_group(const ObservedGroup& group, Checksum& checksum) {
   const auto add = [&](const auto& list, std::size_t size) {
@@ -30,13 +36,6 @@ void add_group(const ObservedGroup& group, Checksum& checksum) {
     checksum.add(fmt::format("{} {} {} {}", zone.name, zone.amount, zone.from, zone.to));
     for (const std::vector<Vec2>& outline : zone.outlines) add(outline.data(), outline.size());
   }
-}
-
-bool is_same(const study::SetOutcome& a, const study::SetOutcome& b) {
-  const auto same_end = [](const study::RockEnd& x, const study::RockEnd& y) {
-    return x.end == y.end && x.max_kinetic_energy == y.max_kinetic_energy;
-  };
-  return std::ranges::equal(a.ends, b.ends, same_end) && a.crossings.size() == b.crossings.size();
 }
 
 }  // namespace
@@ -61,13 +60,12 @@ PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& w
   const std::size_t sought = parameters().size();
   if (observations < sought) {
     throw BadInput(Problem{.file = study_.file.string(),
-                           .what = fmt::format("{} parameters are sought from {} observations", sought, observations),
+                           .what = counts_of(sought, observations),
                            .why = "there must be at least as many observations",
                            .hint = "Fix some parameters in the projects, or share them between materials and sites"});
   }
   if (static_cast<double>(observations) < observations_per_parameter * static_cast<double>(sought)) {
-    warnings.add({Severity::warning, study_.file.string(), 0, "",
-                  fmt::format("{} parameters are sought from {} observations", sought, observations),
+    warnings.add({Severity::warning, study_.file.string(), 0, "", counts_of(sought, observations),
                   fmt::format("fewer than {:g} observations for each say little", observations_per_parameter),
                   "Seek fewer, or expect a posterior as wide as the prior"});
   }
@@ -81,25 +79,15 @@ PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& w
 }
 
 void PreparedStudy::check_dependence(Problems& warnings) const {
-  const Place middle(parameters().size(), 0.5);
-  std::vector<study::SetOutcome> reference;
-  for (std::size_t site = 0; site < sites().size(); ++site) reference.push_back(sites_.run(site, values_at(middle)));
+  const std::vector<Dependence> all = dependence(*this, values_at(Place(parameters().size(), 0.5)));
   for (std::size_t k = 0; k < parameters().size(); ++k) {
-    bool depends = false;
-    for (const double u : {0.02, 0.98}) {
-      Place place = middle;
-      place[k] = u;
-      for (std::size_t site = 0; site < sites().size() && !depends; ++site) {
-        if (!parameters()[k].at_site[site]) continue;
-        depends = !is_same(reference[site], sites_.run(site, values_at(place)));
-      }
-    }
-    if (depends) continue;
+    if (all[k].rocks > 0) continue;
     Problem problem = study::about_parameter(study_, parameters()[k].name, 0);
+    const std::string ground = ground_of(parameters()[k].name);
     problem.severity = Severity::warning;
     problem.what = "no rock depends on it";
     problem.why = "all rocks move the same with its smallest and its largest value";
-    problem.hint = "Check that rocks reach ground of this material, or leave it out";
+    problem.hint = ground.empty() ? "Leave it out" : fmt::format("Check that rocks reach {}, or leave it out", ground);
     warnings.add(std::move(problem));
   }
 }

@@ -75,8 +75,9 @@ class Reach {
       const auto say = [&](const char* side, double reached, double seen) {
         found_.push_back(
             {where,
-             fmt::format("no parameters within the ranges give a {} of {} than {:.4g}{}; observed {:.4g}{}",
-                         feature.name, side, reached, unit(feature), seen, unit(feature)),
+             fmt::format("no parameters within the ranges give {} {} of {} than {:.4g}{}; observed {:.4g}{}",
+                         feature.name.starts_with('e') ? "an" : "a", feature.name, side, reached, unit(feature), seen,
+                         unit(feature)),
              is_whole});
         ++releases;
       };

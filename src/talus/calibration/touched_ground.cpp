@@ -1,7 +1,10 @@
 #include "talus/calibration/touched_ground.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 namespace talus::calibration {
 
@@ -95,6 +98,14 @@ std::vector<Dependence> dependence(const PreparedStudy& study, const study::Para
     }
   }
   return all;
+}
+
+std::string ground_of(const std::string& parameter) {
+  constexpr std::string_view table = "material.";
+  const std::size_t end = parameter.find('.', table.size());
+  if (!parameter.starts_with(table) || end == std::string::npos) return "";
+  const std::string material = parameter.substr(table.size(), end - table.size());
+  return material == "*" ? "" : fmt::format("the ground \"{}\"", material);
 }
 
 }  // namespace talus::calibration

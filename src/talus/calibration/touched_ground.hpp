@@ -1,6 +1,7 @@
 #pragma once
 // Which rocks depend on which parameter: those whose end, velocity or arrivals change with it.
 
+#include <string>
 #include <vector>
 
 #include "talus/calibration/calibrate.hpp"
@@ -17,5 +18,8 @@ struct Dependence {
 
 /// For each parameter: the others have the values of `set`, it has both ends of its prior.
 [[nodiscard]] std::vector<Dependence> dependence(const PreparedStudy& study, const study::ParameterSet& set);
+
+/// `the ground "Scree"` of material.Scree.roughness_deg; empty for a parameter of no single material.
+[[nodiscard]] std::string ground_of(const std::string& parameter);
 
 }  // namespace talus::calibration
