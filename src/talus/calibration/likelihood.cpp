@@ -1,6 +1,7 @@
 #include "talus/calibration/likelihood.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -169,10 +170,11 @@ LogDensity share_log_density(const VectorXd& observed, double observed_rocks, co
   constexpr double jeffreys = 0.5;
   const auto log_probability = [&](const VectorXd& shares) {
     const double all = simulated_rocks + jeffreys * static_cast<double>(shares.size());
-    double sum = std::lgamma(all) - std::lgamma(all + observed_rocks) + std::lgamma(observed_rocks + 1);
+    double sum =
+        boost::math::lgamma(all) - boost::math::lgamma(all + observed_rocks) + boost::math::lgamma(observed_rocks + 1);
     for (Index k = 0; k < shares.size(); ++k) {
       const double prior = simulated_rocks * shares[k] + jeffreys, count = observed_rocks * observed[k];
-      sum += std::lgamma(prior + count) - std::lgamma(prior) - std::lgamma(count + 1);
+      sum += boost::math::lgamma(prior + count) - boost::math::lgamma(prior) - boost::math::lgamma(count + 1);
     }
     return sum;
   };

@@ -134,6 +134,7 @@ class ZoneReader {
     for (std::size_t k = 0; k < zones_.list.size(); ++k) {
       if (!is_2d_) add_polygon(k, {outlines[k]});
     }
+    throw_if_any();
     check_zone_places(zones_.list, places_, site_, problems_, warnings_);
   }
 
@@ -174,6 +175,7 @@ class ZoneReader {
       places_.push_back(place);
       for (const VectorShape& part : feature.parts) add_polygon(zones_.list.size() - 1, part.lists);
     }
+    throw_if_any();
     check_zone_places(zones_.list, places_, site_, problems_, warnings_);
   }
 
