@@ -1,5 +1,6 @@
 # Writes a C++ file with the bytes of every file of a folder, by the assembler's .incbin:
-# cmake -DFOLDER=... -DFUNCTION=... -DITEM=... -DOUTPUT=... [-DEXCLUDE=REGEX] -P embed_bytes.cmake
+# cmake -DFOLDER=... -DFUNCTION=... -DITEM=... -DOUTPUT=... -DHEADER=... -DNAMESPACE=... [-DEXCLUDE=REGEX]
+#   -P embed_bytes.cmake
 # An item is {path, bytes}, or {path, type, bytes} where FOLDER holds a list of types (types.txt: "path<tab>type").
 
 set(types "")
@@ -33,14 +34,14 @@ foreach(name IN LISTS names)
 endforeach()
 
 file(WRITE "${OUTPUT}" "// Made by cmake/embed_bytes.cmake; do not edit.
-#include \"assets.hpp\"
+#include \"${HEADER}\"
 
 #include <cstddef>
 
 extern \"C\" {
 ${externs}}
 
-namespace talus::server {
+namespace ${NAMESPACE} {
 
 const std::vector<${ITEM}>& ${FUNCTION}() {
   static const std::vector<${ITEM}> items{
@@ -48,5 +49,5 @@ ${items}  };
   return items;
 }
 
-}  // namespace talus::server
+}  // namespace ${NAMESPACE}
 ")

@@ -8,7 +8,7 @@ function(talus_embed_examples target)
   set(output ${CMAKE_BINARY_DIR}/generated/example_files.cpp)
   add_custom_command(
     OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFUNCTION=example_files -DITEM=ExampleFile -DOUTPUT=${output}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFUNCTION=example_files -DITEM=ExampleFile -DOUTPUT=${output} -DHEADER=assets.hpp -DNAMESPACE=talus::server
             -DEXCLUDE=^library/
             -P ${TALUS_EMBED_BYTES_SCRIPT}
     DEPENDS ${files} ${TALUS_EMBED_BYTES_SCRIPT}

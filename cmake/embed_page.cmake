@@ -15,7 +15,8 @@ function(talus_embed_page target)
     OUTPUT ${output}
     COMMAND ${NPM} run --silent build -- --outDir ${packed} --emptyOutDir --logLevel warn
     COMMAND ${NPM} run --silent pack -- ${packed}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${packed} -DFUNCTION=page_assets -DITEM=Asset -DOUTPUT=${output} -P ${embed}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${packed} -DFUNCTION=page_assets -DITEM=Asset -DOUTPUT=${output}
+            -DHEADER=assets.hpp -DNAMESPACE=talus::server -P ${embed}
     DEPENDS ${sources} ${modules} ${web}/pack.mjs ${web}/licences.mjs ${embed}
     WORKING_DIRECTORY ${web}
     COMMENT "Building the page"

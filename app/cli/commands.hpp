@@ -89,6 +89,15 @@ struct VerifyOptions {
 };
 int verify(const VerifyOptions& options);
 
+struct ValidateOptions {
+  std::vector<std::string> experiments;  // names or folders; empty: all that are built in
+  std::filesystem::path folder;          // empty: validation-NAME in the current folder
+  int threads = 0;
+  bool quiet = false;
+  std::optional<std::int64_t> rocks, draws;  // instead of the studies' own
+};
+int validate(const ValidateOptions& options);
+
 int schema();
 
 int materials();

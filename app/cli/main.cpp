@@ -205,6 +205,30 @@ int dispatch(int argc, char** argv) {
       ->check(names_folder)
       ->type_name("DIR");
 
+  ValidateOptions validate_options;
+  CLI::App* validate_command = app.add_subcommand(
+      "validate", "Predict each half of a field experiment from the other half, and compare with what was observed");
+  validate_command
+      ->add_option("experiments", validate_options.experiments,
+                   "Names of built-in experiments, or folders with an experiment.toml (default: all built-in ones)")
+      ->type_name("EXPERIMENT");
+  validate_command
+      ->add_option("-o,--output", validate_options.folder,
+                   "Folder for the results, one folder in it for each experiment (default: out/validation)")
+      ->check(names_folder)
+      ->type_name("DIR");
+  validate_command
+      ->add_option("--rocks", validate_options.rocks, "Rocks of each set of parameters, instead of the studies'")
+      ->transform(number_of_rocks())
+      ->type_name("N");
+  validate_command->add_option("--draws", validate_options.draws, "Sets of parameters, instead of the studies'")
+      ->check(CLI::Range(50, 1000000))
+      ->type_name("N");
+  validate_command->add_option("--threads", validate_options.threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  validate_command->add_flag("--quiet,-q", validate_options.quiet, "Print only warnings and errors");
+
   CLI::App* materials_command =
       app.add_subcommand("materials", "List the library of ground materials, with their sources");
 
@@ -241,6 +265,7 @@ int dispatch(int argc, char** argv) {
   if (*report_command) return report(report_options);
   if (*sensitivity_command) return sensitivity(sensitivity_options);
   if (*verify_command) return verify(verify_options);
+  if (*validate_command) return validate(validate_options);
   if (*materials_command) return materials();
   if (*schema_command) return schema();
   return start_project(new_options);

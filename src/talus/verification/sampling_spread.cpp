@@ -3,11 +3,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 
 #include "talus/core/check.hpp"
 #include "talus/core/random.hpp"
+#include "talus/statistics/binomial.hpp"
 #include "talus/statistics/quantile.hpp"
 
 namespace talus::verification {
@@ -120,12 +120,8 @@ std::optional<double> SamplingSpread::typical(Statistic statistic) const {
 }
 
 Interval binomial_interval(std::uint64_t trials, double probability, double central) {
-  using namespace boost::math::policies;
-  // Whole counts, rounded outwards so that at least the central part is inside.
-  using Outwards = policy<discrete_quantile<integer_round_outwards>>;
-  const boost::math::binomial_distribution<double, Outwards> hits(static_cast<double>(trials), probability);
-  const double tail = (1 - central) / 2;
-  return {quantile(hits, tail), quantile(complement(hits, tail))};
+  const auto [low, high] = central_counts(trials, probability, central);
+  return {low, high};
 }
 
 }  // namespace talus::verification

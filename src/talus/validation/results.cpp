@@ -1,0 +1,126 @@
+#include "talus/validation/results.hpp"
+
+#include <fmt/format.h>
+
+#include "talus/files/output_file.hpp"
+
+namespace talus::validation {
+
+namespace {
+
+void put(const std::filesystem::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
+RunRow row_of(const std::string& model, const std::string& site, const PredictedRun& run) {
+  const ObservedRun& seen = run.observed;
+  return {.model = model,
+          .site = site,
+          .run = seen.name,
+          .release_x = seen.release.x(),
+          .release_y = seen.release.y(),
+          .stop_x = seen.stop.x(),
+          .stop_y = seen.stop.y(),
+          .runout = seen.runout(),
+          .mean = run.mean,
+          .p05 = run.p05,
+          .p25 = run.p25,
+          .median = run.median,
+          .p75 = run.p75,
+          .p95 = run.p95,
+          .share_below = run.share_below};
+}
+
+}  // namespace
+
+std::vector<ResultRow> rows_of(std::span<const ModelResult> models) {
+  std::vector<ResultRow> rows;
+  for (const ModelResult& model : models) {
+    for (const SitePrediction& site : model.sites) {
+      rows.push_back({.model = model.model,
+                      .predicted = site.site,
+                      .from = site.from,
+                      .runs = site.runs.size(),
+                      .in_50 = site.in_50.count,
+                      .in_90 = site.in_90.count,
+                      .observed_mean = site.observed.mean,
+                      .observed_std_dev = site.observed.std_dev,
+                      .mean = site.predicted.mean,
+                      .mean_p05 = site.mean_90.low,
+                      .mean_p95 = site.mean_90.high,
+                      .std_dev = site.predicted.std_dev,
+                      .std_dev_p05 = site.std_dev_90.low,
+                      .std_dev_p95 = site.std_dev_90.high,
+                      .in_50_least = site.in_50.expected.low,
+                      .in_50_most = site.in_50.expected.high,
+                      .in_90_least = site.in_90.expected.low,
+                      .in_90_most = site.in_90.expected.high,
+                      .crps = site.posterior.runout,
+                      .crps_prior = site.prior.runout,
+                      .crps_constant = site.constant.runout,
+                      .place = site.posterior.place,
+                      .place_prior = site.prior.place,
+                      .place_constant = site.constant.place,
+                      .rmse = site.rmse,
+                      .rmse_constant = site.rmse_constant,
+                      .mae = site.mae,
+                      .mae_constant = site.mae_constant,
+                      .misfit = site.misfit,
+                      .effective_sets = site.effective_sets});
+    }
+  }
+  return rows;
+}
+
+std::string markdown(const Experiment& experiment, std::span<const ResultRow> rows) {
+  std::string text =
+      "| model | predicted | observed runout, m | predicted, m | 90 % of its mean | 90 % of its spread | in 50 % | in "
+      "90 "
+      "% |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  for (const ResultRow& row : rows) {
+    text += fmt::format(
+        "| {} | {} | {:.1f} ± {:.1f} | {:.1f} ± {:.1f} | {:.1f} to {:.1f} | {:.1f} to {:.1f} | {} of {} ({:g} to {:g}) "
+        "| {} of {} ({:g} to {:g}) |\n",
+        row.model, row.predicted, row.observed_mean, row.observed_std_dev, row.mean, row.std_dev, row.mean_p05,
+        row.mean_p95, row.std_dev_p05, row.std_dev_p95, row.in_50, row.runs, row.in_50_least, row.in_50_most, row.in_90,
+        row.runs, row.in_90_least, row.in_90_most);
+  }
+  text +=
+      "\n| model | predicted | score of the runout, m: posterior, prior, constant | score of the place, m | error of a "
+      "run, m: root mean square, constant | mean magnitude, constant |\n| --- | --- | --- | --- | --- | --- |\n";
+  for (const ResultRow& row : rows) {
+    text +=
+        fmt::format("| {} | {} | {:.1f}, {:.1f}, {:.1f} | {:.1f}, {:.1f}, {:.1f} | {:.1f}, {:.1f} | {:.1f}, {:.1f} |\n",
+                    row.model, row.predicted, row.crps, row.crps_prior, row.crps_constant, row.place, row.place_prior,
+                    row.place_constant, row.rmse, row.rmse_constant, row.mae, row.mae_constant);
+  }
+  if (experiment.published.empty()) return text;
+  text +=
+      "\n| other programs | observed, m | predicted, m | difference, m | mean error of a run, m | source |\n| --- | "
+      "--- "
+      "| --- | --- | --- | --- |\n";
+  for (const PublishedResult& other : experiment.published) {
+    text += fmt::format("| {} | {:.1f} | {:.1f} | {:+.1f} | {} | {} |\n", other.name, other.observed_mean_m,
+                        other.predicted_mean_m, other.predicted_mean_m - other.observed_mean_m,
+                        other.mean_abs_error_m ? fmt::format("{:.1f}", *other.mean_abs_error_m) : "", other.source);
+  }
+  return text;
+}
+
+void write_results(const std::filesystem::path& folder, const Experiment& experiment,
+                   std::span<const ModelResult> models) {
+  std::string results = header_of<ResultRow>(), runs = header_of<RunRow>();
+  for (const ResultRow& row : rows_of(models)) append_row(results, row);
+  for (const ModelResult& model : models) {
+    for (const SitePrediction& site : model.sites) {
+      for (const PredictedRun& run : site.runs) append_row(runs, row_of(model.model, site.site, run));
+    }
+  }
+  put(folder / ResultRow::file_name, results);
+  put(folder / RunRow::file_name, runs);
+  put(folder / "report.html", page_of(experiment, models));
+}
+
+}  // namespace talus::validation
