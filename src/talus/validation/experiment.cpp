@@ -40,7 +40,7 @@ void check_study(const ExperimentModel& model, const Study& study, Problems& pro
     refuse(0, "the study has one site", "each site is predicted from the others",
            "Give each half of the runs its own [[site]], with its releases and its [[observations]]");
   }
-  for (const calibration::StudyParameter& parameter : study.parameters) {
+  for (const auto& parameter : study.parameters) {
     if (parameter.each_site || parameter.sites.size() == 1) {
       refuse(parameter.line, fmt::format("parameter \"{}\" belongs to one site", parameter.path),
              "its value cannot be predicted from the other sites",
@@ -51,7 +51,7 @@ void check_study(const ExperimentModel& model, const Study& study, Problems& pro
     refuse(study.models.front().line, "the study has [[model]]", "an experiment compares studies",
            "Write a study for each, and name them in experiment.toml");
   }
-  for (const calibration::StudySite& site : study.sites) {
+  for (const auto& site : study.sites) {
     const auto has_stops = [&](const calibration::StudyObservations& each) {
       return each.site == site.name && !each.stops.empty();
     };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <optional>
 
 #include "talus/calibration/observation_table.hpp"
 #include "talus/calibration/sampler.hpp"
@@ -15,6 +16,8 @@
 #include "talus/core/nearest.hpp"
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
+#include "talus/project/parameter.hpp"
+#include "talus/project/read.hpp"
 #include "talus/statistics/binomial.hpp"
 #include "talus/statistics/proper_scores.hpp"
 #include "talus/statistics/quantile.hpp"
@@ -46,6 +49,14 @@ Study with_sites(const Study& study, const std::function<bool(const std::string&
   return part;
 }
 
+std::size_t rows_of_releases(const Model& model) {
+  std::size_t rows = 0;
+  for (const Seeder& seeder : model.seeders) {
+    if (const auto* table = std::get_if<ReleaseTable>(&seeder.where)) rows += table->count();
+  }
+  return rows;
+}
+
 /// The rock of each row of the tables of releases, by the row's name. Expects one rock for each row.
 std::map<std::string, std::uint64_t> rocks_by_name(const Model& model) {
   std::map<std::string, std::uint64_t> rocks;
@@ -59,98 +70,100 @@ std::map<std::string, std::uint64_t> rocks_by_name(const Model& model) {
   return rocks;
 }
 
-std::int64_t rows_of_releases(const Model& model) {
-  std::size_t rows = 0;
-  for (const Seeder& seeder : model.seeders) {
-    if (const auto* table = std::get_if<ReleaseTable>(&seeder.where)) rows += table->count();
+/// A site of a study whose releases have one rock each.
+study::PreparedSite with_one_rock_each(const Study& study, std::size_t site) {
+  const auto& given = study.sites[site];
+  Problems doubts;  // the calibrations repeat them
+  std::optional<std::int64_t> rocks;
+  for (;;) {
+    project::Reading reading =
+        project::read_project(study.file.parent_path() / given.project, {given.set, rocks, study.seed});
+    study::PreparedSite prepared(std::move(reading.project), doubts);
+    const std::size_t rows = rows_of_releases(prepared.model());
+    if (rocks || rows == 0) return prepared;
+    rocks = static_cast<std::int64_t>(rows);
   }
-  return static_cast<std::int64_t>(rows);
 }
 
 /// One site with its runs, prepared to simulate each once.
 class TargetSite {
  public:
-  TargetSite(const Study& study, const std::string& site) {
-    Problems doubts;  // the calibrations repeat them
-    const auto has = [&](const std::string& name) { return name == site; };
-    const PreparedStudy counted(with_sites(study, has, study.rocks), nullptr, doubts);
-    const std::int64_t rows = rows_of_releases(counted.sites().front().model());
-    prepared_.emplace(with_sites(study, has, std::max<std::int64_t>(rows, 1)), nullptr, doubts);
-    const auto from =
-        std::ranges::find_if(prepared_->study().observations, [](const auto& each) { return !each.stops.empty(); });
-    match(study.file.parent_path() / from->stops,
-          prepared_->groups()[static_cast<std::size_t>(from - prepared_->study().observations.begin())]);
+  TargetSite(const Study& study, std::size_t site) : site_(with_one_rock_each(study, site)) {
+    const std::string& name = study.sites[site].name;
+    const auto from = std::ranges::find_if(study.observations,
+                                           [&](const auto& each) { return each.site == name && !each.stops.empty(); });
+    TALUS_PROMISE(from != study.observations.end(), "each site of an experiment has stops");
+    match(study.file.parent_path() / from->stops);
   }
 
-  [[nodiscard]] const PreparedStudy& prepared() const { return *prepared_; }
   [[nodiscard]] const std::vector<ObservedRun>& runs() const { return runs_; }
 
   /// The stops of all runs with each set of the parameters of `learned`, each with its own draws: a row for each run.
   [[nodiscard]] std::vector<std::vector<Vec2>> simulate(const PreparedStudy& learned,
-                                                        const std::vector<study::ParameterSet>& values, int threads,
+                                                        const std::vector<study::ParameterSet>& sets, int threads,
                                                         std::uint64_t seed) const {
-    std::vector<study::ParameterSet> sets;
-    for (const study::ParameterSet& each : values) sets.push_back(own_values(learned, each));
+    std::vector<project::SettingNumber> numbers;
+    Problems problems;
+    for (const auto& parameter : learned.parameters()) {
+      const Problem about{.file = site_.project().file.string(),
+                          .where = fmt::format("parameter \"{}\"", parameter.name)};
+      if (auto number = project::SettingNumber::find(site_.project(), parameter.name, about, problems))
+        numbers.push_back(std::move(*number));
+    }
+    if (problems.has_errors()) throw BadInput(std::move(problems));
     std::vector<std::uint64_t> seeds;
     for (std::uint64_t k = 0; k < sets.size(); ++k) {
       const auto words = philox(seed, k, static_cast<std::uint32_t>(replica_stream), 0);
       seeds.push_back(std::uint64_t{words[0]} << 32U | words[1]);
     }
     std::vector<std::vector<Vec2>> stops(runs_.size(), std::vector<Vec2>(sets.size()));
-    prepared_->sites().front().run(prepared_->at_site(0).numbers, sets, {.threads = threads, .seeds = seeds},
-                                   [&](std::size_t k, study::SetOutcome&& outcome) {
-                                     for (std::size_t run = 0; run < runs_.size(); ++run) {
-                                       stops[run][k] = outcome.ends[rocks_[run]].end.head<2>();
-                                     }
-                                   });
+    site_.run(numbers, sets, {.threads = threads, .seeds = seeds}, [&](std::size_t k, study::SetOutcome&& outcome) {
+      for (std::size_t run = 0; run < runs_.size(); ++run) stops[run][k] = outcome.ends[rocks_[run]].end.head<2>();
+    });
     return stops;
   }
 
  private:
-  [[nodiscard]] study::ParameterSet own_values(const PreparedStudy& learned, const study::ParameterSet& values) const {
-    study::ParameterSet own;
-    for (const calibration::SoughtParameter& parameter : prepared_->parameters()) {
-      const auto same = std::ranges::find(learned.parameters(), parameter.name, &calibration::SoughtParameter::name);
-      TALUS_PROMISE(same != learned.parameters().end(), "a parameter is at several sites");
-      own.push_back(values[static_cast<std::size_t>(same - learned.parameters().begin())]);
-    }
-    return prepared_->at_site(0).values(own);
-  }
-
-  void match(const std::filesystem::path& file, const calibration::ObservedGroup& group) {
+  void match(const std::filesystem::path& file) {
     const calibration::ObservationTable table(file);
-    const auto rocks = rocks_by_name(prepared_->sites().front().model());
-    const auto column = table.find({"name"});
-    if (!column || rocks.empty()) {
-      throw BadInput(Problem{.file = file.string(),
-                             .line = 1,
-                             .what = !column ? "there is no column name" : "the releases have no names",
-                             .why = "each stop is predicted from its own release",
-                             .hint = "Release the rocks from a table with a column name (type = \"table\"), and give "
-                                     "the stops a column name with the same names"});
+    const auto rocks = rocks_by_name(site_.model());
+    auto column = table.find({"release"});
+    if (!column) column = table.find({"name"});
+    const auto x = table.find({"x_m"}), y = table.find({"y_m"});
+    if (!column || !x || (!y && !site_.project().is_2d()) || rocks.empty()) {
+      throw BadInput(Problem{
+          .file = file.string(),
+          .line = 1,
+          .what = !column         ? "there is no column name or release"
+                  : rocks.empty() ? "the releases have no names"
+                                  : fmt::format("there is no column {}", !x ? "x_m" : "y_m"),
+          .why = "each stop is predicted from its own release",
+          .hint = "Release the rocks from a table with a column name (type = \"table\"), and give the stops a column "
+                  "name with the same names, x_m and y_m"});
     }
-    const study::SetOutcome once = prepared_->sites().front().run({}, {});
+    const study::SetOutcome once = site_.run({}, {});
     std::vector<std::string_view> known;
     for (const auto& [name, rock] : rocks) known.push_back(name);
     Problems problems;
     for (std::size_t row = 0; row < table.rows(); ++row) {
       const std::string& name = table.text(row, *column);
+      const Vec2 stop(table.number(row, *x, problems).value_or(0), y ? table.number(row, *y, problems).value_or(0) : 0);
       const auto rock = rocks.find(name);
       if (rock == rocks.end()) {
         Problem problem = table.at(row);
         problem.what = fmt::format("there is no release \"{}\"", name);
-        problem.why = "the column name names a row of the table of releases";
+        problem.why = "it is to be the name of a row of the table of releases";
         if (const auto near = nearest(name, known)) problem.hint = fmt::format("Did you mean \"{}\"?", *near);
         problems.add(std::move(problem));
         continue;
       }
       rocks_.push_back(rock->second);
-      runs_.push_back({name, once.ends[rock->second].release.head<2>(), group.positions[row].head<2>()});
+      runs_.push_back({name, once.ends[rock->second].release.head<2>(), stop});
     }
     if (problems.has_errors()) throw BadInput(std::move(problems));
   }
 
-  std::optional<PreparedStudy> prepared_;
+  study::PreparedSite site_;
   std::vector<ObservedRun> runs_;
   std::vector<std::size_t> rocks_;  // of each run
 };
@@ -161,7 +174,7 @@ std::vector<double> runouts_of(const std::vector<ObservedRun>& runs) {
   return runouts;
 }
 
-calibration::Moments moments(const std::vector<double>& values) {
+Moments moments(const std::vector<double>& values) {
   const auto n = static_cast<double>(values.size());
   const double mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
   double squares = 0;
@@ -252,7 +265,7 @@ void add_runs(const std::vector<ObservedRun>& runs, std::vector<std::vector<Vec2
   site.predicted = moments(all);
   std::vector<double> means, spreads;
   for (const std::vector<double>& runouts : of_replica) {
-    const calibration::Moments one = moments(runouts);
+    const Moments one = moments(runouts);
     means.push_back(one.mean);
     spreads.push_back(one.std_dev);
   }
@@ -290,7 +303,7 @@ void add_parameters(const PreparedStudy& learned, const CalibrationResult& resul
   std::vector<double> weights;
   for (const calibration::SetResult& set : result.sets) weights.push_back(set.weight);
   for (std::size_t k = 0; k < learned.parameters().size(); ++k) {
-    const calibration::SoughtParameter& parameter = learned.parameters()[k];
+    const auto& parameter = learned.parameters()[k];
     std::vector<double> values;
     for (const calibration::SetResult& set : result.sets) values.push_back(set.values[k]);
     const auto q = [&](double part) { return calibration::weighted_quantile(values, weights, part); };
@@ -304,7 +317,7 @@ void add_parameters(const PreparedStudy& learned, const CalibrationResult& resul
 std::vector<SitePrediction> predict_sites(const Study& study, const PredictionOptions& options) {
   std::vector<TargetSite> targets;
   targets.reserve(study.sites.size());
-  for (const calibration::StudySite& site : study.sites) targets.emplace_back(study, site.name);
+  for (std::size_t site = 0; site < study.sites.size(); ++site) targets.emplace_back(study, site);
   std::vector<SitePrediction> predictions;
   const auto draws = static_cast<std::size_t>(study.draws);
   for (std::size_t k = 0; k < targets.size(); ++k) {

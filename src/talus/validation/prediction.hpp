@@ -35,6 +35,10 @@ struct Scores {
   double place = 0;   // energy score of the stop on plan [m]
 };
 
+struct Moments {
+  double mean = 0, std_dev = 0;
+};
+
 struct Range {
   double low = 0, high = 0;
 };
@@ -56,7 +60,7 @@ struct SitePrediction {
   std::string site, from;  // `from`: the names of the other sites
   std::vector<PredictedRun> runs;
   std::vector<ObservedRun> learned_from;
-  calibration::Moments observed, predicted;  // of the runout; predicted: of all runs in all replicas
+  Moments observed, predicted;  // of the runout; predicted: of all runs in all replicas
   /// 90 % of the replicas: of the mean and of the standard deviation over the runs.
   Range mean_90, std_dev_90;
   Coverage in_50, in_90;
