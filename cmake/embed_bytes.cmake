@@ -20,7 +20,8 @@ set(k 0)
 foreach(name IN LISTS names)
   set(symbol "talus_${FUNCTION}_${k}")
   math(EXPR k "${k} + 1")
-  string(APPEND externs "extern const char ${symbol}[], ${symbol}_end[];\n"
+  file(SHA256 "${FOLDER}/${name}" digest)  # so that a compiler cache sees that the file has changed
+  string(APPEND externs "// ${digest}\nextern const char ${symbol}[], ${symbol}_end[];\n"
     "asm(\".section .rodata\\n.global ${symbol}\\n${symbol}:\\n.incbin \\\"${FOLDER}/${name}\\\"\\n\"\n"
     "    \".global ${symbol}_end\\n${symbol}_end:\\n.byte 0\\n.previous\\n\");\n")
   set(type "")
