@@ -8,7 +8,7 @@ TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin python3 chromium
 FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
 FUZZ_SECONDS ?= 600
 
-.PHONY: build run test verify bench soak asan tsan fuzz tidy format clean setup setup-test
+.PHONY: build run test verify validate bench soak asan tsan fuzz tidy format clean setup setup-test
 
 define install
 	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
@@ -41,6 +41,11 @@ test: setup-test
 
 verify: build
 	@build/talus verify
+
+# Field experiments, a few minutes. The results must be those that docs/validation.md gives.
+validate: build
+	@build/talus validate -o out/validation
+	@for f in validation/*/results.csv; do diff $$f out/$$f || exit 1; done
 
 bench: setup
 	@cmake --preset bench >/dev/null && cmake --build --preset bench

@@ -50,6 +50,22 @@ async function pictureOfWorkbench(browser, folder) {
   }
 }
 
+/// The predictions of half A of the meadow at Tschamut by the second model; each half has three figures.
+async function pictureOfValidation(browser, folder) {
+  execFileSync(program, ['validate', 'tschamut2014', '--quiet', '-o', folder], { stdio: 'ignore' });
+  const page = await browser.newPage({ viewport: { width: 1140, height: 900 } });
+  await page.goto(`file://${folder}/tschamut2014/report.html`);
+  const first = await page.locator('figure').nth(6).boundingBox();
+  const second = await page.locator('figure').nth(7).boundingBox();
+  const clip = {
+    x: first.x - 8,
+    y: first.y - 8,
+    width: second.x + second.width - first.x + 16,
+    height: Math.max(first.height, second.height) + 16,
+  };
+  await page.screenshot({ path: join(sources, 'docs/validation.png'), clip, fullPage: true });
+}
+
 const folder = mkdtempSync(join(tmpdir(), 'talus-pictures-'));
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -63,6 +79,7 @@ const browser = await chromium.launch({
 try {
   await pictureOfReport(browser, folder);
   await pictureOfWorkbench(browser, folder);
+  await pictureOfValidation(browser, folder);
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true, force: true });

@@ -91,7 +91,7 @@ int verify(const VerifyOptions& options);
 
 struct ValidateOptions {
   std::vector<std::string> experiments;  // names or folders; empty: all that are built in
-  std::filesystem::path folder;          // empty: validation-NAME in the current folder
+  std::filesystem::path folder;          // empty: out/validation
   int threads = 0;
   bool quiet = false;
   std::optional<std::int64_t> rocks, draws;  // instead of the studies' own

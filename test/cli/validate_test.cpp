@@ -97,7 +97,7 @@ TEST(ValidateCommand, RefusesWhatIsNoExperiment) {
   const Workplace folder;
   const Said said = talus_says("validate " + (folder / "").string());
   EXPECT_EQ(said.exit_code, 2);
-  EXPECT_THAT(said.text, HasSubstr("experiment.toml: cannot be opened"));
+  EXPECT_THAT(said.text, HasSubstr("there is no experiment.toml in this folder"));
 }
 
 }  // namespace

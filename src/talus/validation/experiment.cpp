@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 #include "talus/core/utf8.hpp"
 #include "talus/project/document.hpp"
@@ -69,6 +70,13 @@ Experiment read_experiment(const std::filesystem::path& folder, Problems& warnin
   experiment.name = as_utf8(std::filesystem::absolute(folder).lexically_normal().filename().string());
   if (experiment.name.empty()) {
     experiment.name = as_utf8(std::filesystem::absolute(folder).lexically_normal().parent_path().filename().string());
+  }
+  std::error_code none;
+  if (!std::filesystem::exists(experiment.file, none)) {
+    throw BadInput(Problem{.file = folder.string(),
+                           .what = fmt::format("there is no {} in this folder", experiment_file),
+                           .why = "an experiment is a folder with its declaration, studies, projects and data",
+                           .hint = "docs/validation.md lists its files"});
   }
   Problems problems;
   const project::Document document(project::text_of_file(experiment.file), experiment.file.string());
