@@ -63,7 +63,7 @@ void expect_alike(const Followed& first, const Followed& second, Point&& point, 
 }
 
 TEST(Invariance, UnderRotationAboutTheVertical) {
-  Dice dice(92);
+  Dice dice(91);
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
   for (int number = 0; number < 120; ++number) {

@@ -1,6 +1,9 @@
 #include "talus/sliding/rolling.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
 
 namespace talus {
 
@@ -27,6 +30,32 @@ Leg rolling_without_slip(const Vec3& position, const Vec3& velocity, const Vec3&
   return leg;
 }
 
+/// How slip u changes during a leg: du/dt = drift - friction u/|u|, with the direction of u at the end of the leg.
+/// (With that at its start, a small slip would overshoot across its direction, and the legs until it ends would zigzag:
+/// they amplify rounding by a factor of 1e8 within a second.)
+struct SlipChange {
+  Vec3 slip;        // at the start [m/s]
+  Vec3 drift;       // without friction [m/s2]
+  double friction;  // [m/s2]
+
+  /// The direction of slip at the end of a leg.
+  [[nodiscard]] Vec3 heading(double duration) const { return (slip + duration * drift).normalized(); }
+
+  /// The duration in which slip turns by a right angle: in longer legs friction would drive it.
+  [[nodiscard]] double longest() const {
+    const double along = slip.dot(drift);
+    return along < 0 ? -slip.squaredNorm() / along : std::numeric_limits<double>::infinity();
+  }
+
+  /// When slip ends: |slip + t drift| = t friction.
+  [[nodiscard]] std::optional<double> end() const {
+    const double along = slip.dot(drift), squared = slip.squaredNorm();
+    const double root = along * along + (friction * friction - drift.squaredNorm()) * squared;
+    if (root < 0 || std::sqrt(root) <= along) return std::nullopt;
+    return squared / (std::sqrt(root) - along);
+  }
+};
+
 }  // namespace
 
 Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, const Vec3& n, const Footing& footing,
@@ -37,46 +66,43 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
                        : pull > 0         ? Vec3(footing.pull / pull)
                                           : Vec3(Vec3::Zero());
   const Vec3 slip = slip_velocity(velocity, spin, n, r);
-  Vec3 slip_heading;
   if (slip.norm() <= no_slip) {
     const double resistance = friction.rolling * normal;
     // Resistance holds a sphere at rest, but does not drive it.
     const double resisting = speed > standstill ? resistance : std::min(resistance, pull);
     const Vec3 a = rolling_share(rock) * (footing.pull - resisting * heading);
-    const Vec3 needed = a - footing.pull;
-    if (needed.norm() <= friction.dynamic * normal) {
+    if ((a - footing.pull).norm() <= friction.dynamic * normal) {
       return rolling_without_slip(position, velocity, spin, n, a, footing, r, timestep);
     }
-    slip_heading = -needed.normalized();
-  } else {
-    slip_heading = slip.normalized();
   }
 
-  const Vec3 a = footing.pull - friction.dynamic * normal * slip_heading;
   const double moment = rock.mass * normal * r / rock.inertia;
-  const Vec3 spun_up = friction.dynamic * moment * n.cross(slip_heading);
   const Vec3 tangential_spin = tangential(spin, n);
   const double spin_rate = tangential_spin.norm();
+  const bool spins = spin_rate * r > no_slip;
   // Rolling resistance brakes the spin; without spin, it reduces the moment that would start it.
-  const Vec3 resistance = spin_rate * r > no_slip ? Vec3(-friction.rolling * moment * tangential_spin / spin_rate)
-                          : friction.rolling < friction.dynamic ? Vec3(-friction.rolling / friction.dynamic * spun_up)
-                                                                : Vec3(-spun_up);
-  const Vec3 angular = spun_up + resistance;
-  Leg leg{{position, velocity, a}, timestep, velocity + timestep * a, spin + timestep * angular};
-  const Vec3 slip_change = a + r * n.cross(angular);
-  const double slip_rate = slip_change.dot(slip_heading);
-  const double slip_speed = slip.norm();
+  const Vec3 braking = spins ? Vec3(-friction.rolling * moment / spin_rate * tangential_spin) : Vec3(Vec3::Zero());
+  const double spinning_up = spins ? friction.dynamic : std::max(0.0, friction.dynamic - friction.rolling);
+  const SlipChange change{slip, footing.pull + r * n.cross(braking),
+                          friction.dynamic * normal + spinning_up * moment * r};
+
+  const bool slips = slip.norm() > no_slip;
+  double duration = slips ? std::min(timestep, change.longest()) : timestep;
   // Resistance brakes the spin to zero, and must not reverse it.
-  const double spin_change = spin_rate * r > no_slip ? angular.dot(tangential_spin) / spin_rate : 0;
-  if (spin_change < 0 && -spin_rate / spin_change <= timestep) {
-    leg.duration = -spin_rate / spin_change;
-    leg.end_velocity = velocity + leg.duration * a;
-    leg.end_spin = spin + leg.duration * angular;
-  }
-  if (slip_speed > no_slip && slip_rate < 0 && -slip_speed / slip_rate <= leg.duration) {
-    leg.duration = -slip_speed / slip_rate;
-    leg.end_velocity = velocity + leg.duration * a;
-    leg.end_spin = spin + leg.duration * angular;
+  const auto end_before_spin_reverses = [&](const Vec3& against) {
+    const double spin_change = (spinning_up * moment * n.cross(against) + braking).dot(tangential_spin) / spin_rate;
+    if (spin_change < 0) duration = std::min(duration, -spin_rate / spin_change);
+  };
+  if (spins && slips) end_before_spin_reverses(slip.normalized());
+  if (spins) end_before_spin_reverses(change.heading(duration));
+  const std::optional<double> end = slips ? change.end() : std::nullopt;
+  const bool slip_ends = end && *end <= duration;
+  if (slip_ends) duration = *end;
+  const Vec3 against = change.heading(duration);
+  const Vec3 a = footing.pull - friction.dynamic * normal * against;
+  const Vec3 angular = spinning_up * moment * n.cross(against) + braking;
+  Leg leg{{position, velocity, a}, duration, velocity + duration * a, spin + duration * angular};
+  if (slip_ends) {
     // Rolling begins: a spin that agrees with the velocity except for rounding is made to agree exactly.
     const Vec3 rolling = rolling_spin(leg.end_velocity, leg.end_spin, n, r);
     if ((rolling - leg.end_spin).norm() * r <= no_slip * (1 + leg.end_velocity.norm())) leg.end_spin = rolling;

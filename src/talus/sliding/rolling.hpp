@@ -6,7 +6,8 @@
 //  - rolling (u = 0): a = 5/7 (g_t - mu_r N v/|v|), with the friction -2/7 g_t - 5/7 mu_r N v/|v|; the contact slips
 //    if that exceeds mu N. Straight down a plane of slope s this is a = 5/7 g (sin s - mu_r cos s). Along a valley,
 //    where the contacts are nearer to the axis than the radius, 5/7 becomes m r^2 / (m r^2 + I).
-//  - slipping: a = g_t - mu N u/|u|, I dw/dt = m mu N r (n x u/|u|) - m mu_r N r w_t/|w_t|, until u = 0.
+//  - slipping: a = g_t - mu N u/|u|, I dw/dt = m mu N r (n x u/|u|) - m mu_r N r w_t/|w_t|, until u = 0. A leg has the
+//    direction of u at its end.
 // mu_r is the coefficient of rolling friction: a moment mu_r N r against the spin (physics of a ball on an inclined
 // plane, any text on mechanics; rolling resistance as RocFall's "rolling friction").
 
