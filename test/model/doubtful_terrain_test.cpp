@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "support/dice.hpp"
 #include "support/projects.hpp"
 #include "talus/model/check_releases.hpp"
 
@@ -46,6 +47,67 @@ TEST(DoubtfulRaster, HasElevationsInCentimetres) {
       warning_of(inclined(300)),
       "slope.toml: warning: [terrain]: \"dem.tif\" is steeper than 89 degrees on half of its area (its elevations seem "
       "not to be in metres; as centimetres they would make 31 degrees). Convert the elevations to metres");
+}
+
+TEST(DoubtfulRaster, HasCellsFinerThanItsData) {
+  // Cells of 20 m as 4 x 4 of 5 m: nearest neighbour.
+  RasterGrid grid{.columns = 160, .rows = 160, .dx = 5, .dy = 5};
+  testing_tools::Dice dice(5);
+  std::vector<double> coarse;
+  for (int k = 0; k < 40 * 40; ++k) coarse.push_back(2000 - 8 * (k % 40) + dice.between(0, 6));
+  for (std::uint32_t row = 0; row < 160; ++row) {
+    for (std::uint32_t column = 0; column < 160; ++column)
+      grid.z.push_back(static_cast<float>(coarse[row / 4 * 40 + column / 4]));
+  }
+  Problems warnings;
+  warn_of_coarse_raster(grid, project_with("dem.tif", ""), warnings);
+  EXPECT_EQ(
+      warnings.text(),
+      "slope.toml: warning: [terrain]: \"dem.tif\" has cells of 5 m, but its elevations seem to be interpolated "
+      "from cells of about 20 m (they bend at regular distances; interpolation adds no detail, and bends or steps "
+      "that the ground does not have). Use the original cells");
+}
+
+TEST(DoubtfulRaster, HasElevationsInSteps) {
+  testing_tools::Dice dice(6);
+  RasterGrid grid = inclined(3);
+  for (float& z : grid.z) z = static_cast<float>(std::round(dice.between(-0.4, 0.4) + static_cast<double>(z) * 0.9));
+  const auto warning = [&] {
+    Problems warnings;
+    warn_of_coarse_raster(grid, project_with("dem.tif", ""), warnings);
+    return warnings.text();
+  };
+  EXPECT_EQ(
+      warning(),
+      "slope.toml: warning: [terrain]: \"dem.tif\" has elevations in steps of 1 m (with cells of 5 m a step bends "
+      "the ground by 11 degrees). Use a file with decimals, or average the elevations over several cells");
+  grid.dx = grid.dy = 10;
+  EXPECT_EQ(warning(), "") << "6 degrees";
+}
+
+TEST(DoubtfulRaster, HasCellsSmallerThanTheRocks) {
+  const RasterGrid grid = inclined(3);
+  Model model;
+  model.surface = RasterSurface(grid);
+  model.ground = talus::Ground(talus::Material{});
+  talus::Seeder seeder;
+  seeder.name = "crest";
+  seeder.rocks = 1000;
+  seeder.where = Vec3(50, 50, 2000);
+  seeder.size_of = SizeOf::diameter;
+  seeder.density = Sampler(2700.0);
+  const auto warning_for = [&](double diameter) {
+    seeder.size = Sampler(diameter);
+    model.seeders = {seeder};
+    Problems warnings;
+    warn_of_rocks_larger_than_cells(model, warnings);
+    return warnings.text();
+  };
+  EXPECT_EQ(warning_for(5), "");
+  EXPECT_EQ(warning_for(6.5),
+            "warning: seeder \"crest\": rocks of 6.5 m in diameter are larger than the terrain's cells of 5 m (a rock "
+            "bridges bumps that are smaller than itself; a point mass or a sphere follows them all). Average the "
+            "elevations to cells of 10 m or more, and give smaller bumps as roughness");
 }
 
 TEST(DoubtfulRaster, MayHaveACliff) {

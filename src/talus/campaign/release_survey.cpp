@@ -7,6 +7,7 @@ namespace talus {
 ReleaseSurvey survey_releases(const Model& model, std::uint64_t most) {
   const std::uint64_t all = model.rocks();
   ReleaseSurvey found{.rocks = std::min(all, most)};
+  found.diameters.resize(model.seeders.size());
   std::visit(
       [&](const auto& surface) {
         for (std::uint64_t k = 0; k < found.rocks; ++k) {
@@ -16,6 +17,7 @@ ReleaseSurvey survey_releases(const Model& model, std::uint64_t most) {
           const Draws draws({model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
           RockRecord record;
           const Vec3 place = release_of(model, surface, draws, seeder, record).motion.position;
+          found.diameters[record.seeder.index].push_back(2 * record.body.radius);
           if (record.was_lifted) ++found.in_ground;
           const auto ground = surface.elevation(place.x(), place.y(), place.z());
           if (!ground || place.z() - *ground <= found.highest_m) continue;

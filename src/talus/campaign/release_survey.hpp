@@ -2,6 +2,7 @@
 // Checks the releases of a model without simulating its rocks.
 
 #include <cstdint>
+#include <vector>
 
 #include "talus/campaign/model.hpp"
 
@@ -13,6 +14,7 @@ struct ReleaseSurvey {
   std::uint64_t in_ground = 0;  // placed in the ground: lifted, lowered from a ceiling, or left there without room
   double highest_m = 0;         // maximum height of a centre above the ground straight below it
   SeederId highest_seeder;      // of that rock
+  std::vector<std::vector<double>> diameters;  // of equivalent spheres, by seeder [m]
 };
 
 /// Checks `most` rocks, or all if there are fewer.

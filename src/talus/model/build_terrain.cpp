@@ -192,6 +192,7 @@ BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
       read_raster_file(project.file.parent_path() / project.terrain.raster, warnings, crs_of_project(project));
   RasterGrid& grid = file.grid;
   warn_of_steep_raster(grid, project, warnings);
+  warn_of_coarse_raster(grid, project, warnings);
   BuiltTerrain built;
   const std::uint64_t cells = (std::uint64_t{grid.columns} - 1) * (grid.rows - 1);
   built.report = fmt::format("{}: {} x {} nodes, {:.6g} x {:.6g} m apart, {}, {} without data",

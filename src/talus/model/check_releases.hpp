@@ -1,5 +1,5 @@
 #pragma once
-// Warnings about release positions that only the terrain reveals.
+// Warnings about releases that only the terrain reveals.
 
 #include "talus/campaign/model.hpp"
 #include "talus/core/problems.hpp"
@@ -11,5 +11,9 @@ void warn_of_high_releases(const Model& model, Problems& warnings);
 
 /// Adds a warning with the number of rocks of a sample that start in the ground. (The summary of a run counts all.)
 void warn_of_buried_releases(const Model& model, Problems& warnings);
+
+/// Adds a warning for each seeder with rocks that are larger than the cells of a raster: one in twenty or more of a
+/// sample.
+void warn_of_rocks_larger_than_cells(const Model& model, Problems& warnings);
 
 }  // namespace talus::project

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "talus/model/coarse_raster.hpp"
+
 namespace talus::project {
 
 namespace {
@@ -69,6 +71,28 @@ void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Proble
        fmt::format("its elevations seem not to be in metres; as centimetres they would make {:.2g} degrees",
                    degrees(*middle / 100)),
        "Convert the elevations to metres", warnings);
+}
+
+void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Problems& warnings) {
+  const std::string file = fmt::format("\"{}\"", project.terrain.raster.string());
+  const double cell = std::min(grid.dx, grid.dy);
+  if (const auto from = interpolated_from(grid)) {
+    constexpr double alike = 0.1;
+    const bool is_square = std::abs(from->x() - from->y()) < alike * from->norm();
+    warn(project, file,
+         fmt::format("has cells of {:.3g} m, but its elevations seem to be interpolated from cells of about {}", cell,
+                     is_square ? fmt::format("{:.2g} m", 0.5 * (from->x() + from->y()))
+                               : fmt::format("{:.2g} x {:.2g} m", from->x(), from->y())),
+         "they bend at regular distances; interpolation adds no detail, and bends or steps that the ground does not "
+         "have",
+         "Use the original cells", warnings);
+  }
+  const auto step = elevation_step(grid);
+  constexpr double steepest_bend_deg = 8;  // about half of the default of grazing_angle_deg
+  if (!step || degrees(*step / cell) <= steepest_bend_deg) return;
+  warn(project, file, fmt::format("has elevations in steps of {:g} m", *step),
+       fmt::format("with cells of {:.3g} m a step bends the ground by {:.0f} degrees", cell, degrees(*step / cell)),
+       "Use a file with decimals, or average the elevations over several cells", warnings);
 }
 
 void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& warnings) {

@@ -1,5 +1,6 @@
 #pragma once
-// Terrains whose numbers are valid but probably wrong: in other units, or with another axis pointing upwards.
+// Terrains whose numbers are valid but probably wrong: in other units, with another axis pointing upwards, or
+// with cells that are finer than the data.
 
 #include <string>
 #include <vector>
@@ -14,6 +15,10 @@ namespace talus::project {
 
 /// Adds a warning if half of the cells are steeper than natural terrain, for example with elevations in centimetres.
 void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Problems& warnings);
+
+/// Adds a warning if the elevations seem to be interpolated from larger cells, or if they are in steps so large that
+/// the ground bends at every step.
+void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Problems& warnings);
 
 /// The names of the mesh files, for messages.
 [[nodiscard]] std::vector<std::string> names_of_meshes(const Project& project);

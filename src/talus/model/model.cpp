@@ -153,6 +153,7 @@ class Builder {
     for (const Barrier& barrier : project_.barriers) add_barrier(barrier);
     if (problems_.has_errors()) throw BadInput(problems_.in_order_of(project_.file.string()));
     warn_of_high_releases(model_, warnings_);
+    warn_of_rocks_larger_than_cells(model_, warnings_);
     return std::move(model_);
   }
 
