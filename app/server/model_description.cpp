@@ -43,7 +43,7 @@ class Describer {
 
   /// Release places of some of its rocks, evenly spread over all.
   [[nodiscard]] Json places(const Seeder& seeder) const {
-    const bool is_point = std::holds_alternative<Vec3>(seeder.where);
+    const bool is_point = std::holds_alternative<Vec3>(*seeder.where);
     const std::uint64_t count = is_point ? 1 : std::min(seeder.rocks, most_places);
     Json list = Json::array();
     for (std::uint64_t k = 0; k < count; ++k) {
@@ -56,7 +56,7 @@ class Describer {
 
   [[nodiscard]] Json lines(const Seeder& seeder) const {
     Json list = Json::array();
-    const auto* lines = std::get_if<ReleaseLines>(&seeder.where);
+    const auto* lines = std::get_if<ReleaseLines>(&*seeder.where);
     for (std::size_t k = 0; lines != nullptr && k < lines->count(); ++k) list.push_back(line(seeder, *lines, k));
     return list;
   }

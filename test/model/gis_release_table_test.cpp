@@ -96,7 +96,7 @@ TEST_F(GisReleaseTable, PointsMayBeInAnotherCoordinateSystem) {
   const Vec3 place = start(built, 0).position;
   EXPECT_NEAR(place.x(), west + 150, 1e-3);
   EXPECT_NEAR(place.y(), south + 50, 1e-3);
-  EXPECT_THAT(std::get<ReleaseTable>(built.seeders[0].where).names, ElementsAre("north scar"));
+  EXPECT_THAT(std::get<ReleaseTable>(*built.seeders[0].where).names, ElementsAre("north scar"));
 }
 
 TEST_F(GisReleaseTable, PointsMayHaveHeights) {

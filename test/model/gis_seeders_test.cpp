@@ -37,7 +37,7 @@ class GisSeeders : public GisProject {
   GisSeeders() { make("dem.tif", mountain()); }
 
   static const ReleaseCells& cells_of(const Model& model, std::size_t seeder = 0) {
-    return std::get<ReleaseCells>(model.seeders.at(seeder).where);
+    return std::get<ReleaseCells>(*model.seeders.at(seeder).where);
   }
   /// Columns and rows of the cells in the file, from the south-west.
   static std::set<std::pair<int, int>> places(const Model& model) {

@@ -67,7 +67,7 @@ class ReleaseTableFiles : public InputFolder {
     }
     return list;
   }
-  static const ReleaseTable& table_of(const Model& model) { return std::get<ReleaseTable>(model.seeders.at(0).where); }
+  static const ReleaseTable& table_of(const Model& model) { return std::get<ReleaseTable>(*model.seeders.at(0).where); }
 
   Project project_;
 };

@@ -25,7 +25,7 @@ Seeder point_seeder() {
 }
 
 Release release_of(const Seeder& seeder, std::uint64_t rock = 0) {
-  return release_at(seeder, std::get<Vec3>(seeder.where), *seeder.direction, Draws(SamplingPlan{}, rock));
+  return release_at(seeder, std::get<Vec3>(*seeder.where), *seeder.direction, Draws(SamplingPlan{}, rock));
 }
 
 // ---- where ----

@@ -6,7 +6,6 @@ Model Model::without_surface() const {
   Model copy;
   copy.varying = varying;
   copy.frame = frame;
-  copy.parts = parts;
   copy.ground = ground;
   copy.barriers = barriers;
   copy.laws = laws;

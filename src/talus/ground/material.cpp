@@ -18,7 +18,8 @@ double standard_normal(double u) { return -std::numbers::sqrt2 * boost::math::er
 Ground::Ground(std::vector<Material> materials, std::vector<std::uint8_t> of_cell) : materials_(std::move(materials)) {
   const bool varies = std::adjacent_find(of_cell.begin(), of_cell.end(), std::not_equal_to<>()) != of_cell.end();
   if (varies) {
-    of_cell_ = std::move(of_cell);
+    cells_ = std::move(of_cell);
+    of_cell_ = cells_->data();
   } else if (!of_cell.empty()) {
     everywhere_ = MaterialId{of_cell.front()};
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talus/core/id.hpp"
+#include "talus/core/shared.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 
@@ -40,7 +41,7 @@ class Ground {
   explicit Ground(Material material) : materials_{std::move(material)} {}
   /// `of_facet[i]` is the material of the terrain's segment or triangle i, as numbered by its source().
   Ground(std::vector<Material> materials, std::vector<MaterialId> of_facet)
-      : materials_(std::move(materials)), of_facet_(std::move(of_facet)) {}
+      : materials_(std::move(materials)), facets_(std::move(of_facet)) {}
   /// One of several materials everywhere.
   Ground(std::vector<Material> materials, MaterialId everywhere)
       : materials_(std::move(materials)), everywhere_(everywhere) {}
@@ -49,8 +50,8 @@ class Ground {
   Ground(std::vector<Material> materials, std::vector<std::uint8_t> of_cell);
 
   [[nodiscard]] MaterialId material_of(std::uint32_t source) const {
-    if (!of_cell_.empty()) return MaterialId{of_cell_[source]};
-    return of_facet_.empty() ? everywhere_ : of_facet_[source];
+    if (of_cell_ != nullptr) return MaterialId{of_cell_[source]};
+    return of_facet_ == nullptr ? everywhere_ : of_facet_[source];
   }
   [[nodiscard]] const Material& operator[](MaterialId id) const { return materials_[id.index]; }
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
@@ -59,14 +60,17 @@ class Ground {
   [[nodiscard]] bool has_forest() const {
     return std::any_of(materials_.begin(), materials_.end(), [](const Material& m) { return m.has_forest(); });
   }
-  /// Memory that grows with the terrain.
-  [[nodiscard]] std::size_t bytes() const { return of_facet_.size() * sizeof(MaterialId) + of_cell_.size(); }
+  /// Memory that grows with the terrain; copies share it.
+  [[nodiscard]] std::size_t bytes() const { return facets_->size() * sizeof(MaterialId) + cells_->size(); }
 
  private:
   std::vector<Material> materials_;
-  // At most one of these has entries; if none has, `everywhere_` is the material.
-  std::vector<MaterialId> of_facet_;
-  std::vector<std::uint8_t> of_cell_;
+  // At most one of these has entries; if none has, `everywhere_` is the material. The pointers, null without entries,
+  // save a step where a rock strikes.
+  Shared<std::vector<MaterialId>> facets_;
+  Shared<std::vector<std::uint8_t>> cells_;
+  const MaterialId* of_facet_ = facets_->empty() ? nullptr : facets_->data();
+  const std::uint8_t* of_cell_ = nullptr;
   MaterialId everywhere_{0};
 };
 

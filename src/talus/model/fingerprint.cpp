@@ -109,8 +109,8 @@ void put(ByteWriter& out, const talus::Seeder& seeder) {
   out.put(seeder.source.index);
   out.put(seeder.first_rock);
   out.put(seeder.rocks);
-  out.count(seeder.where.index());
-  std::visit([&](const auto& where) { put(out, where); }, seeder.where);
+  out.count(seeder.where->index());
+  std::visit([&](const auto& where) { put(out, where); }, *seeder.where);
   out.flag(seeder.above_surface.has_value());
   out.put(seeder.above_surface.value_or(0));
   out.flag(seeder.direction.has_value());

@@ -38,7 +38,7 @@ std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, Sam
     if (!runs.empty() && runs.back().rocks == 0) runs.pop_back();
     if (runs.empty() || runs.back().source != source) runs.push_back({seeder.first_rock + first, 0, source});
   };
-  if (const auto* lines = std::get_if<ReleaseLines>(&seeder.where); lines != nullptr && lines->count() > 1) {
+  if (const auto* lines = std::get_if<ReleaseLines>(&*seeder.where); lines != nullptr && lines->count() > 1) {
     const SamplingPlan plan{seed, method, seeder.first_rock, seeder.rocks};
     for (std::size_t line = 0; line < lines->count(); ++line) {
       begins(first_rock_where(
@@ -46,12 +46,12 @@ std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, Sam
                  [&](std::uint64_t k) { return line_of(seeder, *lines, Draws(plan, seeder.first_rock + k)) >= line; }),
              lines->source_of(line));
     }
-  } else if (const auto* cells = std::get_if<ReleaseCells>(&seeder.where)) {
+  } else if (const auto* cells = std::get_if<ReleaseCells>(&*seeder.where)) {
     for (const ReleaseCells::Run& run : cells->sources) {
       begins(first_rock_where(seeder, [&](std::uint64_t k) { return cells->entry_of(k, seeder.rocks) >= run.first; }),
              run.source);
     }
-  } else if (const auto* table = std::get_if<ReleaseTable>(&seeder.where)) {
+  } else if (const auto* table = std::get_if<ReleaseTable>(&*seeder.where)) {
     for (const ReleaseTable::Run& run : table->sources()) {
       begins(first_rock_where(seeder, [&](std::uint64_t k) { return table->row_of(k, seeder.rocks) >= run.first; }),
              run.source);
@@ -65,12 +65,12 @@ std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, Sam
 }
 
 ReleasePlace place_of(const Seeder& seeder, const Draws& draws) {
-  if (const auto* lines = std::get_if<ReleaseLines>(&seeder.where)) {
+  if (const auto* lines = std::get_if<ReleaseLines>(&*seeder.where)) {
     const double u = draws.one(Stream::release_position);
     const ReleaseLines::Place place = lines->count() > 1 ? lines->at(line_of(seeder, *lines, draws), u) : lines->at(u);
     return {.point = place.point, .source = place.source, .above_surface = seeder.above_surface};
   }
-  if (const auto* cells = std::get_if<ReleaseCells>(&seeder.where)) {
+  if (const auto* cells = std::get_if<ReleaseCells>(&*seeder.where)) {
     const std::size_t entry = cells->entry_of(draws.rock() - seeder.first_rock, seeder.rocks);
     const Vec2 middle = cells->centre_of(entry);
     const Vec2 place =
@@ -80,13 +80,13 @@ ReleasePlace place_of(const Seeder& seeder, const Draws& draws) {
             .middle = middle,
             .above_surface = seeder.above_surface};
   }
-  if (const auto* table = std::get_if<ReleaseTable>(&seeder.where)) {
+  if (const auto* table = std::get_if<ReleaseTable>(&*seeder.where)) {
     const std::size_t row = table->row_of(draws.rock() - seeder.first_rock, seeder.rocks);
     ReleasePlace place{.point = table->place(row), .source = table->source_of(row), .given = table->given(row)};
     if (ReleaseRow::has(place.given.above_surface)) place.above_surface = place.given.above_surface;
     return place;
   }
-  return {.point = std::get<Vec3>(seeder.where), .source = seeder.source, .above_surface = seeder.above_surface};
+  return {.point = std::get<Vec3>(*seeder.where), .source = seeder.source, .above_surface = seeder.above_surface};
 }
 
 static double drawn(const Sampler& sampler, const Draws& draws, Stream stream) {

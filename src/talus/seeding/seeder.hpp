@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "talus/core/id.hpp"
+#include "talus/core/shared.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 #include "talus/seeding/release.hpp"
@@ -19,13 +20,15 @@ namespace talus {
 
 enum class SizeOf { mass, volume, diameter };
 
+using ReleasePlaces = std::variant<Vec3, ReleaseLines, ReleaseCells, ReleaseTable>;
+
 struct Seeder {
   std::string name;
   SourceId source;  // of rocks from a point, for results by source; lines, cells and rows have their own
   std::uint64_t first_rock = 0;
   std::uint64_t rocks = 1;
   /// A point, lines, cells or the rows of a table; local coordinates.
-  std::variant<Vec3, ReleaseLines, ReleaseCells, ReleaseTable> where = Vec3(0, 0, 0);
+  Shared<ReleasePlaces> where = Vec3(0, 0, 0);
   /// Rocks are released this far above the surface [m], not at the places' own z; always given for cells, and not used
   /// for tables, whose rows give it.
   std::optional<double> above_surface;
