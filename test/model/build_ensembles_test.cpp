@@ -48,7 +48,8 @@ class BuildEnsembles : public testing_tools::InputFolder {
 };
 
 const std::string two_sets =
-    "weight,score,material.Scree.normal_restitution,material.Scree.friction_angle_deg\n3,-1.5,0.2,35\n1,-2,0.6,20\n";
+    "weight,score,material.Scree.normal_restitution.mean,material.Scree.friction_angle_deg\n3,-1.5,0.2,35\n"
+    "1,-2,0.6,20\n";
 
 TEST_F(BuildEnsembles, DrawsSetsByTheirWeights) {
   const Model model = built(two_sets, "ensembles = 100\n");
@@ -58,7 +59,7 @@ TEST_F(BuildEnsembles, DrawsSetsByTheirWeights) {
   EXPECT_EQ(drawn[0.2], 75);
   EXPECT_EQ(drawn[0.6], 25);
   EXPECT_EQ(model.uncertain,
-            (std::vector<std::string>{"material.Scree.normal_restitution", "material.Scree.friction_angle_deg"}));
+            (std::vector<std::string>{"material.Scree.normal_restitution.mean", "material.Scree.friction_angle_deg"}));
   EXPECT_EQ(built("material.Scree.normal_restitution,weight\n0.1,0\n0.5,2\n").drawn_parameters.front()[0], 0.5);
 }
 
@@ -112,31 +113,82 @@ TEST_F(BuildEnsembles, WarnOfWhatTheyCannotShow) {
       without_folder(warnings_.text()),
       "slope.toml: warning: [sampling]: an ensemble has 4 of 400 rocks (the parts of rocks and parameters cannot be "
       "separated). Run more rocks, or fewer ensembles");
-  static_cast<void>(built("material.Scree.normal_restitution\n0.3\n"));
+  static_cast<void>(built("material.Scree.normal_restitution.mean\n0.3\n"));
   EXPECT_EQ(without_folder(warnings_.text()),
             "slope.toml: warning: [sampling]: all ensembles have the same parameters (one row has all of the weight)");
 }
 
+TEST_F(BuildEnsembles, WarnOfAMeanWhoseDistributionStays) {
+  static_cast<void>(built("material.Scree.normal_restitution\n0.3\n0.4\n"));
+  EXPECT_EQ(without_folder(warnings_.text()),
+            "slope.toml:15: warning: [sampling]: parameters posterior.csv:1: material.Scree.normal_restitution: is the "
+            "mean of a distribution in the project (rocks of an ensemble also draw about its value). If that is meant, "
+            "name the column material.Scree.normal_restitution.mean; else give the project a plain number");
+}
+
+TEST_F(BuildEnsembles, ReadTablesOfOtherPrograms) {
+  const Model model = built("\xEF\xBB\xBFWeight;material.Scree.friction_angle_deg\r\n0;20\r\n\r\n2,5;30,5\r\n");
+  EXPECT_EQ(model.drawn_parameters, std::vector(10, std::vector{30.5}));
+}
+
+const std::string at = "slope.toml:15: [sampling]: parameters posterior.csv";
+
 TEST_F(BuildEnsembles, RefuseABadSample) {
-  const std::string at = "slope.toml:15: [sampling]: parameters posterior.csv";
-  EXPECT_EQ(refusal("weight,material.Screes.normal_restitution\n1,0.3\n"),
-            at + ":1: material.Screes.normal_restitution: \"material.Screes.normal_restitution\" names no [[material]] "
-                 "(the project has \"Scree\"). Use a name, a number from 0, or * for all");
+  EXPECT_EQ(refusal("weight,material.Screes.normal_restitution,material.Scree.restitution\n1,0.3,1\n"),
+            at +
+                ":1: material.Screes.normal_restitution: \"material.Screes.normal_restitution\" names no [[material]] "
+                "(the project has \"Scree\"). Use a name, a number from 0, or * for all\n" +
+                at +
+                ":1: material.Scree.restitution: \"material.Scree.restitution\": [[material]] has no key "
+                "restitution");
   EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n1,0.3\n-2,0.3\n1,1.3\n"),
-            at + ":3: weight: is -2 (a weight is not negative)\n" + at +
-                ":4: material.Scree.normal_restitution: material.Scree.normal_restitution is 1.3; expected 0 to 1");
+            at + ":3: weight is -2 (a weight is not negative)\n" + at +
+                ":4: material.Scree.normal_restitution is 1.3; expected 0 to 1");
   EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n"),
             at + ": has no rows (each row is a set of parameters)");
   EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n0,0.3\n"),
-            at + ": weight: is 0 in all rows (sets are drawn by weight)");
+            at + ": weight is 0 in all rows (sets are drawn by weight)");
   EXPECT_EQ(refusal("weight,score\n1,2\n"),
             at + ":1: has no column of a parameter (a column is named by the path of its setting). For example "
                  "material.Scree.normal_restitution");
+  EXPECT_EQ(refusal("analysis.max_time_s\n100\n"),
+            at + ":1: analysis.max_time_s cannot differ between rocks (all rocks of a run share it). Leave the column "
+                 "out");
+  EXPECT_EQ(refusal("material.Scree.normal_restitution,material.*.normal_restitution\n0.3,0.4\n"),
+            at + ":1: material.Scree.normal_restitution and material.*.normal_restitution give the same number (it is "
+                 "not clear which one applies). Leave one of them out");
+  EXPECT_EQ(refusal(""), at + ": is empty (its first line must name the columns)");
+}
+
+TEST_F(BuildEnsembles, RefuseAllValuesThatAreNone) {
+  EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n1,high\nnan,0.3\n1,\n1,inf\n"),
+            at + ":2: material.Scree.normal_restitution is \"high\" (expected a finite number)\n" + at +
+                ":3: weight is \"nan\" (expected a finite number)\n" + at +
+                ":4: material.Scree.normal_restitution is empty (expected a finite number)\n" + at +
+                ":5: material.Scree.normal_restitution is \"inf\" (expected a finite number)");
+}
+
+TEST_F(BuildEnsembles, RefuseMoreEnsemblesThanRocks) {
   EXPECT_EQ(
-      refusal("analysis.max_time_s\n100\n"),
-      at + ":1: analysis.max_time_s: cannot differ between rocks (all rocks of a run share it). Leave the column out");
-  EXPECT_EQ(refusal("material.Scree.normal_restitution\nhigh\n"),
-            at + ":2: material.Scree.normal_restitution: \"high\" is not a number (expected a finite number)");
+      refusal_of([&] { static_cast<void>(built(two_sets, "ensembles = 401\n")); }),
+      "slope.toml: [sampling]: ensembles is 401 (the project has 400 rocks, and each ensemble needs one). Run more "
+      "rocks, or fewer ensembles");
+}
+
+// What grows with the terrain or the releases is not copied for each ensemble.
+TEST_F(BuildEnsembles, ShareWhatGrowsWithTheTerrain) {
+  std::string text = scree;
+  const std::string section = "section = [[0, 0], [10, -10], [100, -10]]\n";
+  text.replace(text.find(section), section.size(), section + "[ground]\nsegments = [\"Scree\", \"Rock\"]\n");
+  write("posterior.csv", two_sets);
+  write("slope.toml", text + "[[material]]\nname = \"Rock\"\n[sampling]\nparameters = \"posterior.csv\"\n");
+  const Reading reading = read_project(path("slope.toml"), {});
+  const Model model = build_model(reading.project, warnings_);
+  ASSERT_EQ(model.ensembles.size(), 50u);
+  for (const Model& each : model.ensembles) {
+    EXPECT_EQ(&*each.seeders.front().where, &*model.seeders.front().where);
+    EXPECT_EQ(each.ground.material_of(1).index, 1u);
+  }
 }
 
 TEST_F(BuildEnsembles, RefuseAMissingFile) {

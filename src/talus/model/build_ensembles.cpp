@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/files/csv_reader.hpp"
-#include "talus/files/ordinary_file.hpp"
+#include "talus/files/data_table.hpp"
 #include "talus/model/model.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/parameter.hpp"
@@ -21,7 +19,7 @@ namespace {
 
 constexpr std::string_view weight_column = "weight";
 constexpr std::uint32_t draw_of_sets = 0x50000001;  // a purpose of its own (core/random.hpp)
-constexpr std::size_t most_sets = 1'000'000, most_problems = 20;
+constexpr std::size_t most_sets = 1'000'000;
 /// What all rocks of a run share: the steps of slides in lanes, and the energies of its tables.
 constexpr std::array settings_of_all{"analysis.gravity_m_s2", "analysis.max_timestep_s",
                                      "analysis.stopped_velocity_m_s", "analysis.max_time_s"};
@@ -39,84 +37,115 @@ class SampleReader {
 
   ParameterSample read() {
     if (std::string why = why_unreadable(project_, project_.sampling.parameters); !why.empty())
-      refuse(0, "", "cannot be read", std::move(why), "");
+      throw BadInput(problem(0, "cannot be read", std::move(why)));
+    DataTable table(file_);
+    read_columns(table);
+    refuse_overlaps();
     throw_if_any();
-    refuse_special_file();
-    CsvReader csv(file_);
-    read_columns(csv);
-    throw_if_any();
-    for (int line = 2; csv.next(); ++line) {
-      stop_point();
-      read_set(csv, line);
-      if (problems_.list().size() >= most_problems) break;
+    while (table.next()) {
+      read_set(table);
       if (sample_.sets.size() > most_sets)
-        refuse(line, "", "has too many rows", fmt::format("expected at most {}", most_sets), "");
+        throw BadInput(problem(table.line(), "has too many rows",
+                               fmt::format("expected at most {} sets of parameters", most_sets)));
     }
-    throw_if_any();
+    table.throw_if_any();
     double sum = 0;
     for (const double weight : sample_.weights) sum += weight;
-    if (sample_.sets.empty()) refuse(0, "", "has no rows", "each row is a set of parameters", "");
-    if (!sample_.sets.empty() && !(sum > 0))
-      refuse(0, std::string(weight_column), "is 0 in all rows", "sets are drawn by weight", "");
+    if (sample_.sets.empty()) {
+      problems_.add(problem(0, "has no rows", "each row is a set of parameters"));
+    } else if (!(sum > 0)) {
+      problems_.add(problem(0, fmt::format("{} is 0 in all rows", weight_column), "sets are drawn by weight"));
+    }
     throw_if_any();
     return std::move(sample_);
   }
 
  private:
-  void refuse(int line, std::string where, std::string what, std::string why, std::string hint) {
-    problems_.add({.file = file_.string(),
-                   .line = line,
-                   .where = std::move(where),
-                   .what = std::move(what),
-                   .why = std::move(why),
-                   .hint = std::move(hint)});
+  [[nodiscard]] Problem problem(int line, std::string what, std::string why, std::string hint = "") const {
+    return {.file = file_.string(),
+            .line = line,
+            .where = {},
+            .what = std::move(what),
+            .why = std::move(why),
+            .hint = std::move(hint)};
   }
   void throw_if_any() {
     if (problems_.has_errors()) throw BadInput(std::move(problems_));
   }
-  void refuse_special_file() const {
-    if (const auto why = not_an_ordinary_file(file_))
-      throw BadInput(Problem{.file = file_.string(), .what = "cannot be read", .why = *why});
-  }
 
   /// Columns with a point in their name are parameters; others but `weight` are notes, such as a score.
-  void read_columns(const CsvReader& csv) {
-    for (std::size_t k = 0; k < csv.columns().size(); ++k) {
-      const std::string& name = csv.columns()[k];
-      const Problem where{.file = file_.string(), .line = 1, .where = name};
-      if (name == weight_column) {
+  void read_columns(const DataTable& table) {
+    for (std::size_t k = 0; k < table.columns().size(); ++k) {
+      const std::string& name = table.columns()[k];
+      if (plain_column_name(name) == weight_column) {
         weight_ = k;
       } else if (std::ranges::find(settings_of_all, name) != settings_of_all.end()) {
-        refuse(1, name, "cannot differ between rocks", "all rocks of a run share it", "Leave the column out");
+        problems_.add(problem(1, fmt::format("{} cannot differ between rocks", name), "all rocks of a run share it",
+                              "Leave the column out"));
       } else if (name.find('.') != std::string::npos) {
-        Problems found;
-        if (auto number = SettingNumber::find(project_, name, where, found)) {
-          sample_.numbers.push_back(*number);
-          columns_.push_back(k);
-        }
-        for (const Problem& problem : found.list())
-          (problem.severity == Severity::error ? problems_ : warnings_).add(problem);
+        add_parameter(name, k);
       }
     }
     if (columns_.empty() && !problems_.has_errors())
-      refuse(1, "", "has no column of a parameter", "a column is named by the path of its setting",
-             "For example material.Scree.normal_restitution");
+      problems_.add(problem(1, "has no column of a parameter", "a column is named by the path of its setting",
+                            "For example material.Scree.normal_restitution"));
   }
 
-  void read_set(const CsvReader& csv, int line) {
-    const double weight = weight_ ? csv.number(*weight_) : 1.0;
-    if (weight < 0)
-      refuse(line, std::string(weight_column), fmt::format("is {:g}", weight), "a weight is not negative", "");
+  void add_parameter(const std::string& name, std::size_t column) {
+    Problem where = problem(1, "", "");
+    where.where = name;
+    Problems found;
+    if (auto number = SettingNumber::find(project_, name, where, found)) {
+      if (const auto distribution = number->distribution_in(project_); distribution && !name.ends_with(".mean")) {
+        where.severity = Severity::warning;
+        where.what = "is the mean of a distribution in the project";
+        where.why = "rocks of an ensemble also draw about its value";
+        where.hint =
+            fmt::format("If that is meant, name the column {}.mean; else give the project a plain number", name);
+        warnings_.add(where);
+      }
+      sample_.numbers.push_back(*number);
+      columns_.push_back(column);
+    }
+    for (const Problem& each : found.list()) (each.severity == Severity::error ? problems_ : warnings_).add(each);
+  }
+
+  /// A number of the current row; refuses what is none.
+  std::optional<double> number(DataTable& table, std::size_t column) {
+    const std::string_view text = table.text(column);
+    const auto value = number_in_cell(text, table.comma_is_point());
+    if (value && std::isfinite(*value)) return value;
+    table.refuse(fmt::format("{} is {}", table.columns()[column], text.empty() ? "empty" : fmt::format("\"{}\"", text)),
+                 "expected a finite number");
+    return std::nullopt;
+  }
+
+  void read_set(DataTable& table) {
+    double weight = 1;
+    if (weight_) weight = number(table, *weight_).value_or(0);
+    if (weight < 0) table.refuse(fmt::format("{} is {:g}", weight_column, weight), "a weight is not negative");
     std::vector<double> set;
     Project changed = project_;
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      set.push_back(csv.number(columns_[k]));
-      if (weight <= 0) continue;
-      if (const auto why = sample_.numbers[k].set(changed, set.back()))
-        refuse(line, csv.columns()[columns_[k]], *why, "", "");
+      const auto value = number(table, columns_[k]);
+      set.push_back(value.value_or(0));
+      if (!value || weight <= 0) continue;
+      if (const auto why = sample_.numbers[k].set(changed, *value)) table.refuse(*why, "");
     }
     sample_.sets.push_back(std::move(set));
     sample_.weights.push_back(weight);
+  }
+
+  /// Two columns may name the same number: by its name and by *.
+  void refuse_overlaps() {
+    for (std::size_t k = 1; k < columns_.size(); ++k) {
+      for (std::size_t before = 0; before < k; ++before) {
+        if (!sample_.numbers[before].shares_a_number_with(sample_.numbers[k])) continue;
+        problems_.add(problem(
+            1, fmt::format("{} and {} give the same number", sample_.numbers[before].path(), sample_.numbers[k].path()),
+            "it is not clear which one applies", "Leave one of them out"));
+      }
+    }
   }
 
   const Project& project_;
@@ -164,6 +193,14 @@ void warn(const Project& project, std::string key, std::string what, std::string
 void add_ensembles(const Project& project, Model& model, Problems& warnings) {
   const ParameterSample sample = SampleReader(project, warnings).read();
   const auto ensembles = static_cast<std::size_t>(project.sampling.ensembles);
+  if (ensembles > model.rocks())
+    throw BadInput(Problem{.file = project.file.string(),
+                           .where = "[sampling]",
+                           .what = fmt::format("ensembles is {}", ensembles),
+                           .why = fmt::format("the project has {} {}, and each ensemble needs one", model.rocks(),
+                                              model.rocks() == 1 ? "rock" : "rocks"),
+                           .hint = "Run more rocks, or fewer ensembles",
+                           .path = "sampling.ensembles"});
   for (const SettingNumber& number : sample.numbers) model.uncertain.push_back(number.path());
   for (const std::size_t k : drawn_sets(sample.weights, ensembles, project.sampling.seed)) {
     stop_point();

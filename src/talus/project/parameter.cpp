@@ -276,6 +276,19 @@ double SettingNumber::value_in(const Project& project) const {
   return distribution.mean;
 }
 
+std::optional<Distribution> SettingNumber::distribution_in(const Project& project) const {
+  Project copy = project;
+  const Place place = place_of(setting_->slot(table_->rows(copy)[rows_.front()]));
+  if (part_ != Part::whole || place.distribution == nullptr || place.distribution->kind == DistributionKind::none)
+    return std::nullopt;
+  return *place.distribution;
+}
+
+bool SettingNumber::shares_a_number_with(const SettingNumber& other) const {
+  return setting_ == other.setting_ && part_ == other.part_ &&
+         std::ranges::any_of(rows_, [&](std::size_t row) { return std::ranges::count(other.rows_, row) > 0; });
+}
+
 std::vector<std::string> SettingNumber::overrides(const Project& project) const {
   Project copy = project;
   const std::vector<Row> rows = table_->rows(copy);

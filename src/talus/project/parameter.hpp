@@ -55,6 +55,11 @@ class SettingNumber {
   /// Of the first entry, if there are several.
   [[nodiscard]] double value_in(const Project& project) const;
 
+  /// The distribution of which it is the mean, of the first entry; nullopt if it is another number.
+  [[nodiscard]] std::optional<Distribution> distribution_in(const Project& project) const;
+  /// Whether both set one number: `*` and a name may stand for the same entry.
+  [[nodiscard]] bool shares_a_number_with(const SettingNumber& other) const;
+
   /// The settings by which another project gets the value that this one has, as `--set` takes them.
   [[nodiscard]] std::vector<std::string> overrides(const Project& project) const;
 
