@@ -114,8 +114,8 @@ TEST(RunFolder, ReadsNamesWithCommasQuotesAndLineEnds) {
   folder.write(
       "barriers.csv",
       sample_run::barriers_head +
-          "\"Fence \"\"A\"\", upper\n\nrow\",1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,\"stopped\"\r\n"
-          "\"\",1,2,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,passed\n");
+          "\"Fence \"\"A\"\", upper\n\nrow\",1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,\"stopped\",\r\n"
+          "\"\",1,2,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,passed,\n");
   const RunFolder run = read_run_folder(folder.path);
   ASSERT_EQ(run.hits.items.size(), 2u);
   EXPECT_EQ(run.hits.items[0].barrier, "Fence \"A\", upper\n\nrow");
@@ -218,14 +218,14 @@ TEST(RunFolderRefuses, TablesWithOtherColumns) {
   EXPECT_EQ(
       message_about("endpoints.csv", "rock,x,y\n"),
       "DIR/endpoints.csv:1: the columns are \"rock,x,y\" (expected \"rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,"
-      "runout_total_m,lateral_m,time_s,events,end_reason,ground,mass_kg,radius_m,max_ke_J,max_bounce_m\")");
+      "runout_total_m,lateral_m,time_s,events,end_reason,ground,mass_kg,radius_m,max_ke_J,max_bounce_m,ensemble\")");
   EXPECT_EQ(message_about("paths.csv", ""),
             std::string("DIR/paths.csv:1: the file is empty (its first line must name the columns)") + damaged);
 }
 
 TEST(RunFolderRefuses, IncompleteRows) {
   EXPECT_EQ(message_about("endpoints.csv", sample_run::endpoints_head + sample_run::endpoint_row(0) + "1,seeder 1,3\n"),
-            std::string("DIR/endpoints.csv:3: the row has 3 values (expected 17, one for each column)") + damaged);
+            std::string("DIR/endpoints.csv:3: the row has 3 values (expected 18, one for each column)") + damaged);
   EXPECT_EQ(message_about("barriers.csv", sample_run::barriers_head + "\"Fence,1,1.9\n"),
             std::string("DIR/barriers.csv:2: a quoted value has no end (the file ends inside it)") + damaged);
 }
@@ -233,7 +233,7 @@ TEST(RunFolderRefuses, IncompleteRows) {
 TEST(RunFolderRefuses, ValuesThatAreNotNumbers) {
   const auto row = [](const std::string& rock, const std::string& x) {
     return sample_run::endpoints_head + rock + ",seeder 1," + x +
-           ",0,-12.2,4.5,12.2,13.01,,2.25,4,at rest,Type One,1000,0.4455,120000,1.5\n";
+           ",0,-12.2,4.5,12.2,13.01,,2.25,4,at rest,Type One,1000,0.4455,120000,1.5,\n";
   };
   EXPECT_EQ(message_about("endpoints.csv", row("0", "5.1m")),
             "DIR/endpoints.csv:2: x_m: \"5.1m\" is not a number (expected a finite number)");

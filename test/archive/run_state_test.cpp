@@ -37,7 +37,11 @@ RunStateHeader full_header() {
   description.warnings = {"one", "two"};
   description.crs_wkt = "PROJCS[...]";
   description.sources = {"north", "south"};
-  description.maps = {Vec2(2.6e6 + 0.1, 1e-300), Vec2(0.5, 0.25), true, {MapSubjects{0b10010001}, {50, 97.5}}};
+  description.maps = {Vec2(2.6e6 + 0.1, 1e-300),
+                      Vec2(0.5, 0.25),
+                      true,
+                      5,
+                      {MapSubjects{0b10010001}, {50, 97.5}, MapSubjects{0b10010000}}};
   description.design.emplace().lines = {{"Fence", 0, 12.5, 5, 3}};
   description.design->heights = {2, 3};
   description.wants_maps = true;
@@ -103,6 +107,8 @@ TEST_F(RunStateFile, IsRestoredAsWritten) {
   EXPECT_EQ(json_text(read.description), json_text(header.description));
   EXPECT_EQ(read.description.maps->origin, header.description.maps->origin);
   EXPECT_EQ(read.description.maps->selection.subjects, header.description.maps->selection.subjects);
+  EXPECT_EQ(read.description.maps->selection.bands, header.description.maps->selection.bands);
+  EXPECT_EQ(read.description.maps->ensembles, 5U);
   EXPECT_EQ(read.description.design, header.description.design);
   EXPECT_EQ(read.range, header.range);
   EXPECT_EQ(read.shard, header.shard);

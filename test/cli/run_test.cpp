@@ -22,15 +22,15 @@ TEST(TalusRun, WritesEveryDocumentedFile) {
   const Workplace place;
   const auto said = talus_says("run " + tutorial("2d") + " -o " + (place / "out").string());
   ASSERT_EQ(said.exit_code, 0) << said.text;
-  EXPECT_EQ(place.read("out/endpoints.csv").substr(0, 151),
+  EXPECT_EQ(place.read("out/endpoints.csv").substr(0, 160),
             "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,lateral_m,time_s,events,end_reason,ground,"
-            "mass_kg,radius_m,max_ke_J,max_bounce_m\n0,Crest,");
+            "mass_kg,radius_m,max_ke_J,max_bounce_m,ensemble\n0,Crest,");
   EXPECT_EQ(place.read("out/paths.csv").substr(0, 133),
             "rock,event,state,time_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,ke_translational_J,"
             "ke_rotational_J,pe_J\n0,0,proje");
-  EXPECT_EQ(place.read("out/barriers.csv").substr(0, 133),
+  EXPECT_EQ(place.read("out/barriers.csv").substr(0, 142),
             "barrier,rock,time_s,x_m,y_m,z_m,impact_height_m,vx_m_s,vy_m_s,vz_m_s,angle_deg,ke_translational_J,"
-            "ke_rotational_J,ke_total_J,outcome\n");
+            "ke_rotational_J,ke_total_J,outcome,ensemble\n");
   EXPECT_NE(place.read("out/report.html").find("Tutorial 1, section"), std::string::npos);
   const auto summary = nlohmann::json::parse(place.read("out/summary.json"));
   EXPECT_EQ(summary["rocks"]["done"], 50);

@@ -16,6 +16,7 @@
 #include "talus/archive/design_tables.hpp"
 #include "talus/archive/envelope_table.hpp"
 #include "talus/archive/table_columns.hpp"
+#include "talus/archive/uncertainty_table.hpp"
 #include "talus/export/geopackage_rows.hpp"
 #include "talus/maps/source_maps.hpp"
 #include "talus/model/release_columns.hpp"
@@ -50,6 +51,7 @@ const Tables& tables() {
                              {"design.csv", column_texts<DesignRow>()},
                              {"design_ranking.csv", column_texts<RankingRow>()},
                              {"sensitivity.csv", column_texts<sensitivity::EffectRow>()},
+                             {"uncertainty.csv", column_texts<UncertaintyRow>()},
                              {"sources.csv", column_texts<SourceRow>()},
                              {"releases", project::release_column_texts()},
                              {"layer paths", column_texts<RockLayerRow>()},
@@ -82,7 +84,8 @@ std::string with_tables(const std::string& page, std::set<std::string>& seen) {
 
 TEST(ColumnTables, PageIsNotStale) {
   std::set<std::string> seen;
-  for (const char* name : {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md", "/docs/sensitivity.md"})
+  for (const char* name :
+       {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md", "/docs/predictions.md", "/docs/sensitivity.md"})
     expect_fresh(name, with_tables(text_of(std::string(TALUS_SOURCE_DIR) + name), seen));
   EXPECT_EQ(seen.size(), tables().size()) << "every table has its columns in the documentation";
 }

@@ -147,8 +147,11 @@ void heights(const PathPiece& piece, std::span<const double> borders, std::span<
 TEST(SavedResults, Maps) {
   Dice dice(13);
   const std::vector<Seen> rocks = random_rocks(dice, 400);
-  for (const auto& sources : {std::optional<std::size_t>(), std::optional<std::size_t>(3)}) {
-    const Make make = [&] { return std::make_unique<MapObserver>(MapGrid({0, 0}, 1, {}), heights, sources); };
+  for (const auto& [sources, ensembles] :
+       {std::pair<std::optional<std::size_t>, std::size_t>({}, 0), {3, 0}, {{}, 5}}) {
+    const Make make = [&] {
+      return std::make_unique<MapObserver>(MapGrid({0, 0}, 1, {}), heights, sources, MapContents(), ensembles);
+    };
     expect_any_split_merges_to_the_whole(dice, rocks, make);
     expect_damage_is_survived<Handle>(
         dice, state_of(rocks, make), [&] { return Handle{make()}; },
@@ -165,11 +168,12 @@ TEST(SavedResults, Maps) {
 }
 
 TEST(SavedResults, RefuseMapsOfAnotherGridOrOtherSources) {
-  const auto maps = [](double cell, std::optional<std::size_t> sources) {
-    return std::make_unique<MapObserver>(MapGrid({0, 0}, cell, {}), heights, sources);
+  const auto maps = [](double cell, std::optional<std::size_t> sources, std::size_t ensembles = 0) {
+    return std::make_unique<MapObserver>(MapGrid({0, 0}, cell, {}), heights, sources, MapContents(), ensembles);
   };
   const auto mine = maps(1, 2);
-  for (const auto& other : {maps(0.5, 2), maps(1, 3), maps(1, {})}) EXPECT_FALSE(takes(*other, saved(*mine)));
+  for (const auto& other : {maps(0.5, 2), maps(1, 3), maps(1, {}), maps(1, 2, 1)})
+    EXPECT_FALSE(takes(*other, saved(*mine)));
   EXPECT_TRUE(takes(*mine, saved(*mine)));
 }
 

@@ -101,7 +101,8 @@ TEST(MapMemory, ThatIsExceededEndsTheRunAndKeepsTheRocksDone) {
       "not enough memory for the maps of this run: they take [0-9.]+ MB, and 2.0 MB is what they "
       "may \\(--maps-memory\\); ";
   const std::string hint =
-      "\\. Maps take less with larger cells \\(output.raster_cell_m\\), fewer quantities \\(output.maps\\) or no "
+      "\\. Maps take less with larger cells \\(output.raster_cell_m\\), fewer quantities \\(output.maps, "
+      "output.bands\\) or no "
       "percentiles \\(output.percentiles = \\[\\]\\)";
   const std::string said = why_not([&] { run(loaded, work / "out", options); });
   EXPECT_THAT(

@@ -47,17 +47,17 @@ class Folder {
 
 inline const std::string endpoints_head =
     "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,lateral_m,time_s,events,end_reason,ground,mass_kg,"
-    "radius_m,max_ke_J,max_bounce_m\n";
+    "radius_m,max_ke_J,max_bounce_m,ensemble\n";
 inline const std::string paths_head =
     "rock,event,state,time_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,ke_translational_J,"
     "ke_rotational_J,pe_J\n";
 inline const std::string barriers_head =
     "barrier,rock,time_s,x_m,y_m,z_m,impact_height_m,vx_m_s,vy_m_s,vz_m_s,angle_deg,ke_translational_J,ke_rotational_J,"
-    "ke_total_J,outcome\n";
+    "ke_total_J,outcome,ensemble\n";
 
 inline std::string endpoint_row(std::uint64_t rock, double x_m = 5) {
   return std::to_string(rock) + ",seeder 1," + std::to_string(x_m) + ",0,-12.2," + std::to_string(x_m - 0.5) +
-         ",12.2,13.01,,2.25,4,at rest,Type One,1000,0.4455,120000,1.5\n";
+         ",12.2,13.01,,2.25,4,at rest,Type One,1000,0.4455,120000,1.5,\n";
 }
 
 /// Release, impact with a loss of 60 kJ, and a slide to rest.
@@ -133,7 +133,7 @@ inline void write(const Folder& folder, const std::string& name = "Tutorial 1") 
   folder.write("endpoints.csv", endpoints_head + endpoint_row(0) + endpoint_row(1, 5.25));
   folder.write("paths.csv", paths_head + path_rows(0) + path_rows(1));
   folder.write("barriers.csv",
-               barriers_head + "Fence,1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766.13,60766.13,stopped\n");
+               barriers_head + "Fence,1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766.13,60766.13,stopped,\n");
 }
 
 }  // namespace talus::sample_run

@@ -1,5 +1,6 @@
 #include "talus/archive/envelope_table.hpp"
 
+#include <cmath>
 #include <optional>
 #include <system_error>
 #include <vector>
@@ -15,45 +16,52 @@ std::vector<ColumnText> EnvelopeRow::family_texts() {
   return texts;
 }
 
-std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights) {
+std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection, bool has_heights) {
   MapSelection shown = selection;
-  if (!has_heights) shown.subjects = without(MapQuantity::bounce_height, shown.subjects);
-  const std::vector<MapGroup> groups = map_groups(maps.rocks(), shown);
+  if (!has_heights) {
+    shown.subjects = without(MapQuantity::bounce_height, shown.subjects);
+    shown.bands = without(MapQuantity::bounce_height, shown.bands);
+  }
+  const std::vector<MapGroup> groups = map_groups(shown);
   std::vector<MapKind> kinds;
   for (const MapGroup& group : groups) kinds.insert(kinds.end(), group.kinds.begin(), group.kinds.end());
   std::vector<std::string> names;
   for (const MapKind& kind : kinds) names.push_back(kind.name);
   std::string text = header_of<EnvelopeRow>(names);
 
-  const auto extent = maps.extent();
+  const auto extent = maps.all.extent();
   if (!extent) return text;
-  std::vector<std::optional<MapTally>> cells(static_cast<std::size_t>(extent->last.column - extent->first.column) + 1);
-  for (const Maps::Tile* tile : maps.tiles()) {
+  FamilyValues untouched;
+  for (const MapKind& kind : kinds) untouched.push_back(kind.is_count ? std::optional(0.0) : std::nullopt);
+  const auto place_of = [&](std::int32_t column) { return static_cast<std::size_t>(column - extent->first.column); };
+  std::vector<FamilyValues> cells(place_of(extent->last.column) + 1, untouched);
+  std::vector<double> values;
+  MapCells reader(maps, shown.bands.any());
+  for (const Maps::Tile* tile : maps.all.tiles()) {
+    reader.enter(*tile);
     for (std::int32_t k = 0; k < Maps::tile_side; ++k) {
-      const auto tally = tile->find(k, extent->first.row - tile->first().row);
-      if (tally) cells[static_cast<std::size_t>(tile->first().column + k - extent->first.column)] = tally;
+      const auto cell = reader.find(k, extent->first.row - tile->first().row);
+      if (!cell) continue;
+      FamilyValues& here = cells[place_of(tile->first().column + k)];
+      here.clear();
+      for (const MapGroup& group : groups) {
+        values.assign(group.kinds.size(), 0);
+        group.values(*cell, values);
+        for (const double value : values) here.push_back(std::isnan(value) ? std::nullopt : std::optional(value));
+      }
     }
   }
   EnvelopeRow row;
-  std::vector<double> values;
+  const MapGrid& grid = maps.all.grid();
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    row.x_m = maps.grid().origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * maps.grid().cell().x();
-    row.values.clear();
-    if (cells[k]) {
-      for (const MapGroup& group : groups) {
-        values.assign(group.kinds.size(), 0);
-        group.values(*cells[k], values);
-        row.values.insert(row.values.end(), values.begin(), values.end());
-      }
-    } else {
-      for (const MapKind& kind : kinds) row.values.push_back(kind.is_count ? std::optional(0.0) : std::nullopt);
-    }
+    row.x_m = grid.origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * grid.cell().x();
+    row.values = std::move(cells[k]);
     append_row(text, row);
   }
   return text;
 }
 
-void write_envelopes(const std::filesystem::path& folder, const Maps& maps, const MapSelection& selection,
+void write_envelopes(const std::filesystem::path& folder, const MapsOfRun& maps, const MapSelection& selection,
                      bool has_heights) {
   OutputFile file(folder / EnvelopeRow::file_name);
   file.write(envelope_table(maps, selection, has_heights));

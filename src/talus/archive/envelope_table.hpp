@@ -29,10 +29,10 @@ struct EnvelopeRow {
 /// A row for each cell from the first to the last that rocks touched. A cell that no rock touched has counts of 0, and
 /// its other values are empty. Without `has_heights` there are no bounce heights. Expects maps of a section, in one
 /// row.
-[[nodiscard]] std::string envelope_table(const Maps& maps, const MapSelection& selection, bool has_heights);
+[[nodiscard]] std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection, bool has_heights);
 
 /// Writes the table into a run's folder; throws BadInput if that fails.
-void write_envelopes(const std::filesystem::path& folder, const Maps& maps, const MapSelection& selection,
+void write_envelopes(const std::filesystem::path& folder, const MapsOfRun& maps, const MapSelection& selection,
                      bool has_heights);
 void remove_envelopes(const std::filesystem::path& folder);
 

@@ -18,8 +18,19 @@ struct Shown {
   bool is_logarithmic;  // whether levels are logarithmic
 };
 
-constexpr Shown shown_maps[] = {
-    {"reach_share", true}, {"energy_total_max_kJ", true}, {"bounce_height_max_m", false}, {"velocity_max_m_s", false}};
+constexpr Shown shown_maps[] = {{"reach_share", true},
+                                {"reach_share_low", true},
+                                {"reach_share_high", true},
+                                {"reach_share_parameter_part", false},
+                                {"energy_total_max_kJ", true},
+                                {"energy_total_max_low_kJ", true},
+                                {"energy_total_max_high_kJ", true},
+                                {"bounce_height_max_m", false},
+                                {"bounce_height_max_low_m", false},
+                                {"bounce_height_max_high_m", false},
+                                {"velocity_max_m_s", false},
+                                {"velocity_max_low_m_s", false},
+                                {"velocity_max_high_m_s", false}};
 
 /// The range of the values above 0.
 ValueRange range_of(const std::vector<float>& values) {
@@ -60,7 +71,7 @@ ReportMap as_levels(const Shown& kind, const ClassLimits& limits, const MapValue
 std::vector<ReportMap> read_report_maps(const std::filesystem::path& folder) {
   std::vector<ReportMap> maps;
   if (!can_write_maps()) return maps;
-  const std::vector<MapKind> kinds = map_kinds({});
+  const std::vector<MapKind> kinds = map_kinds({.bands = banded_map_subjects});
   for (const Shown& kind : shown_maps) {
     std::error_code ignored;
     if (!std::filesystem::exists(folder / "maps" / (std::string(kind.name) + ".tif"), ignored)) continue;

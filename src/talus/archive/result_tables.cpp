@@ -13,6 +13,7 @@ TableContext TableContext::of(const Model& model) {
                        .gravity = model.laws.gravity.norm(),
                        .energy_datum = model.energy_datum,
                        .runout_frame = model.runout_frame,
+                       .ensembles = model.ensembles.size(),
                        .parts = &model.parts};
   for (const Seeder& seeder : model.seeders) context.seeders.push_back(seeder.name);
   for (const Barrier& barrier : model.barriers) context.barriers.push_back(barrier.name);
@@ -21,6 +22,10 @@ TableContext TableContext::of(const Model& model) {
 }
 
 namespace {
+
+std::optional<std::uint64_t> ensemble_in(const TableContext& context, const RockRecord& record) {
+  return context.ensembles > 0 ? std::optional(ensemble_of(record.rock, context.ensembles)) : std::nullopt;
+}
 
 /// The text of the rows of a block.
 template <class Row>
@@ -160,6 +165,7 @@ void fill(EndpointRow& row, const TableContext& context, const RockRecord& recor
   row.radius_m = record.body.radius;
   row.max_ke_J = outcome.max_kinetic_energy;
   row.max_bounce_m = outcome.max_bounce;
+  row.ensemble = ensemble_in(context, record);
 }
 
 void fill(PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
@@ -210,6 +216,7 @@ void fill(HitRow& row, const TableContext& context, const RockRecord& record, co
   row.ke_rotational_J = rotational_energy(record.body, hit.motion);
   row.ke_total_J = row.ke_translational_J + row.ke_rotational_J;
   row.outcome = hit.outcome;
+  row.ensemble = ensemble_in(context, record);
 }
 
 }  // namespace talus

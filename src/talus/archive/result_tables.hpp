@@ -23,6 +23,7 @@ struct TableContext {
   double energy_datum = 0;                                // z in user coordinates [m]
   std::vector<std::string> seeders, barriers, materials;  // their names
   RunoutFrame runout_frame;                               // local
+  std::uint64_t ensembles = 0;                            // 0: all rocks have the same parameters
   const TerrainParts* parts = nullptr;                    // of impacts; null: the numbers of source()
 
   /// The model must outlive the context.

@@ -5,6 +5,7 @@
 #include "talus/archive/design_json.hpp"
 #include "talus/core/bytes.hpp"
 #include "talus/files/json_text.hpp"
+#include "talus/results/ensemble.hpp"
 
 namespace talus {
 
@@ -52,6 +53,10 @@ Json head_of(const RunDescription& description) {
                     {"by_source", maps->by_source},
                     {"subjects", names_of(maps->selection.subjects)},
                     {"percentiles", maps->selection.percentiles}};
+  }
+  if (const auto& maps = description.maps; maps && maps->ensembles > 0) {
+    json["maps"]["ensembles"] = maps->ensembles;
+    json["maps"]["bands"] = names_of(maps->selection.bands);
   }
   if (description.design) json["design"] = plan_json(*description.design);
   return json;
@@ -111,6 +116,13 @@ RunDescription read(const Json& json) {
     given.at("by_source").get_to(maps.by_source);
     if (given.contains("subjects")) maps.selection.subjects = subjects_from(given.at("subjects"));
     given.at("percentiles").get_to(maps.selection.percentiles);
+    if (given.contains("ensembles")) {
+      given.at("ensembles").get_to(maps.ensembles);
+      maps.selection.bands = subjects_from(given.at("bands"));
+      expect_bytes((maps.selection.bands & ~(maps.selection.subjects & banded_map_subjects)).none() &&
+                       maps.ensembles > 1 && maps.ensembles <= most_ensembles,
+                   "the description's maps have bands that they cannot have");
+    }
   }
   if (json.contains("design")) description.design = plan_from(json.at("design"), description.barriers);
   check_model(description);

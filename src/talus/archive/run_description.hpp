@@ -18,6 +18,7 @@ namespace talus {
 struct MapPlan {
   Vec2 origin, cell;  // of the grid, as in results/map_grid.hpp
   bool by_source = false;
+  std::uint64_t ensembles = 0;  // with maps of their own, for the selection's bands
   MapSelection selection{};
 };
 

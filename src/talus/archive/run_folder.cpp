@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "talus/archive/envelope_table.hpp"
+#include "talus/archive/figure_counts.hpp"
 #include "talus/archive/path_reader.hpp"
 #include "talus/archive/spread_sample.hpp"
 #include "talus/core/problems.hpp"
-#include "talus/core/vec.hpp"
 
 namespace talus {
 namespace {
@@ -102,54 +102,6 @@ void read_summary(const std::filesystem::path& file, RunFolder& run) {
 
 // ---- the tables
 
-/// The figures by which protection is designed, counted from the rows of the tables.
-class FigureCounts {
- public:
-  FigureCounts() = default;
-  /// Of a whole run: the rocks of a part are not a random choice.
-  explicit FigureCounts(const RunSummary& summary) {
-    if (summary.rocks.done != summary.rocks.planned) return;
-    std::vector<const BarrierSummary*> barriers;
-    for (const BarrierSummary& barrier : summary.barriers) barriers.push_back(&barrier);
-    std::ranges::stable_sort(barriers, std::ranges::greater(), &BarrierSummary::hits);
-    if (barriers.size() > Convergence::most_lines) barriers.resize(Convergence::most_lines);
-    std::vector<std::string> lines;
-    for (const BarrierSummary* barrier : barriers) lines.push_back(barrier->name);
-    convergence_.emplace(summary.rocks.planned, lines);
-    if (const std::uint64_t ensembles = ensembles_of(*summary.project); ensembles > 1)
-      uncertainty_.emplace(summary.rocks.planned, ensembles, std::move(lines));
-  }
-
-  void add_end(std::uint64_t rock, const RockValues& values) {
-    if (convergence_) convergence_->add_end(rock, values);
-    if (uncertainty_) uncertainty_->add_end(rock, values);
-  }
-  void add_arrival(std::uint64_t rock, std::string_view line, const ArrivalValues& values) {
-    if (convergence_) convergence_->add_arrival(rock, line, values);
-    if (uncertainty_) uncertainty_->add_arrival(rock, line, values);
-  }
-  void put_into(RunFolder& run) const {
-    if (convergence_) run.convergence = convergence_->result();
-    if (uncertainty_) run.uncertainty = uncertainty_->result();
-  }
-
- private:
-  /// 0: all rocks have the same parameters.
-  static std::uint64_t ensembles_of(const JsonValue& project) {
-    const auto sampling = project.find("sampling");
-    if (sampling == project.end() || !sampling->is_object() || !sampling->contains("parameters")) return 0;
-    if (!sampling->at("parameters").is_string() || sampling->at("parameters").get<std::string>().empty()) return 0;
-    const auto ensembles = sampling->find("ensembles");
-    constexpr std::uint64_t most = 100'000;
-    return ensembles != sampling->end() && ensembles->is_number_unsigned()
-               ? std::min(ensembles->get<std::uint64_t>(), most)
-               : 0;
-  }
-
-  std::optional<ConvergenceCount> convergence_;
-  std::optional<UncertaintyCount> uncertainty_;
-};
-
 Kept<EndpointRow> read_endpoints(const std::filesystem::path& file, std::size_t limit, FigureCounts& figures) {
   using R = EndpointRow;
   TableReader<R> row(file);
@@ -157,7 +109,7 @@ Kept<EndpointRow> read_endpoints(const std::filesystem::path& file, std::size_t 
   Kept<R> kept{.has_file = true};
   for (; row.next(); ++kept.total) {
     const std::uint64_t rock = row.get<&R::rock>();
-    figures.add_end(rock, {row.get<&R::runout_xy_m>(), row.get<&R::max_ke_J>(), row.get<&R::max_bounce_m>()});
+    figures.add(row);
     if (!sample.wants(rock)) continue;
     sample.add(rock, 1,
                row.part<&R::rock, &R::seeder, &R::end_reason, &R::position_m, &R::runout_xy_m, &R::runout_total_m,
@@ -246,9 +198,7 @@ Kept<HitRow> read_hits(const std::filesystem::path& file, std::size_t limit, Fig
   Kept<R> kept{.has_file = true};
   for (; row.next(); ++kept.total) {
     const std::uint64_t rock = row.get<&R::rock>();
-    figures.add_arrival(
-        rock, row.get<&R::barrier>(),
-        {row.get<&R::ke_total_J>(), Vec3(row.get<&R::velocity_m_s>().data()).norm(), row.get<&R::impact_height_m>()});
+    figures.add(row);
     if (!sample.wants(rock)) continue;
     sample.add(rock, 1,
                row.part<&R::barrier, &R::outcome, &R::rock, &R::time_s, &R::position_m, &R::impact_height_m,
@@ -310,7 +260,8 @@ RunFolder read_run_folder(const std::filesystem::path& folder, const Limits& lim
   attempt("maps", true, [&](const auto&) { run.maps = read_report_maps(folder); });
   attempt(EnvelopeRow::file_name, true, [&](const auto& file) { run.envelopes = read_report_envelopes(file); });
   if (problems.has_errors()) throw BadInput(std::move(problems));
-  figures.put_into(run);
+  run.convergence = figures.convergence();
+  run.uncertainty = figures.uncertainty();
   note_what_is_missing(run);
   return run;
 }

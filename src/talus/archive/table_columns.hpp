@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "talus/barriers/barrier.hpp"
@@ -35,6 +36,9 @@ struct Words<BarrierOutcome> {
   static constexpr const char* fault = "is not an outcome";
 };
 
+inline constexpr std::string_view ensemble_meaning =
+    "with `sampling.parameters`: number of the rock's ensemble, from 0; otherwise empty";
+
 /// A row of endpoints.csv: how a rock ended. Positions are in the project's coordinates.
 struct EndpointRow {
   static constexpr const char* file_name = "endpoints.csv";
@@ -49,6 +53,7 @@ struct EndpointRow {
   EndReason end_reason = EndReason::at_rest;
   std::string ground{};  // empty: it left the model, or there is none
   double mass_kg = 0, radius_m = 0, max_ke_J = 0, max_bounce_m = 0;
+  std::optional<std::uint64_t> ensemble{};
 
   static constexpr auto columns() {
     using R = EndpointRow;
@@ -78,7 +83,8 @@ struct EndpointRow {
         quantity("max_bounce_m", "m",
                  "maximum bounce height: of the centre above the ground straight below it, in flight, and for a sphere "
                  "also on the ground",
-                 &R::max_bounce_m));
+                 &R::max_bounce_m),
+        key("ensemble", ensemble_meaning, &R::ensemble));
   }
 };
 
@@ -175,6 +181,7 @@ struct HitRow {
   double angle_deg = 0;
   double ke_translational_J = 0, ke_rotational_J = 0, ke_total_J = 0;
   BarrierOutcome outcome = BarrierOutcome::passed;
+  std::optional<std::uint64_t> ensemble{};
 
   static constexpr auto columns() {
     using R = HitRow;
@@ -195,7 +202,7 @@ struct HitRow {
         quantity("ke_translational_J", "J", "translational kinetic energy", &R::ke_translational_J),
         quantity("ke_rotational_J", "J", "rotational kinetic energy", &R::ke_rotational_J),
         quantity("ke_total_J", "J", "total kinetic energy", &R::ke_total_J),
-        word("outcome", "outcome of the hit", &R::outcome));
+        word("outcome", "outcome of the hit", &R::outcome), key("ensemble", ensemble_meaning, &R::ensemble));
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "talus/results/ensemble.hpp"
 #include "talus/statistics/quantile.hpp"
 
 namespace talus {
@@ -32,7 +33,7 @@ UncertaintyCount::UncertaintyCount(std::uint64_t rocks, std::uint64_t ensembles,
 
 void UncertaintyCount::add_end(std::uint64_t rock, const RockValues& values) {
   all_.add(values);
-  of_ensemble_[rock % of_ensemble_.size()].add(values);
+  of_ensemble_[ensemble_of(rock, of_ensemble_.size())].add(values);
 }
 
 void UncertaintyCount::add_arrival(std::uint64_t rock, std::string_view line, const ArrivalValues& values) {
@@ -40,7 +41,7 @@ void UncertaintyCount::add_arrival(std::uint64_t rock, std::string_view line, co
   if (found == line_of_.end() || last_rock_[found->second] == rock) return;
   last_rock_[found->second] = rock;
   all_.add(found->second, values);
-  of_ensemble_[rock % of_ensemble_.size()].add(found->second, values);
+  of_ensemble_[ensemble_of(rock, of_ensemble_.size())].add(found->second, values);
 }
 
 std::optional<FigureUncertainty> UncertaintyCount::of(const RunFigure& figure) const {

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "talus/results/ensemble.hpp"
 #include "talus/results/runout_frame.hpp"
 #include "talus/seeding/seeder.hpp"
 #include "talus/terrain/local_frame.hpp"
@@ -54,16 +55,15 @@ struct Model {
   RunoutFrame runout_frame;          // from where runout is counted; local
 
   /// Variants of this model with other materials, laws, capacities, sizes and velocities, for uncertain parameters;
-  /// without a surface, since all have the same. Rock n belongs to the ensemble n modulo their number. None: all rocks
-  /// have the properties of this model.
+  /// without a surface, since all have the same. None: all rocks have the properties of this model.
   std::vector<Model> ensembles;
   std::vector<std::string> uncertain;                 // the paths of the parameters that differ between ensembles
   std::vector<std::vector<double>> drawn_parameters;  // their values, by ensemble
 
   [[nodiscard]] const Model& of_rock(std::uint64_t rock) const {
-    return ensembles.empty() ? *this : ensembles[rock % ensembles.size()];
+    return ensembles.empty() ? *this : ensembles[ensemble_of(rock, ensembles.size())];
   }
-  /// A copy of everything but the surface, which is the largest part, and the ensembles.
+  /// A copy of what trajectories depend on, but for the surface. Lists that grow with the terrain are shared.
   [[nodiscard]] Model without_surface() const;
 
   [[nodiscard]] std::uint64_t rocks() const {

@@ -20,7 +20,8 @@ namespace {
 
 template <class Value>
 constexpr OGRFieldType type_of() {
-  if constexpr (std::same_as<Value, std::uint64_t>) return OFTInteger64;
+  if constexpr (std::same_as<Value, std::uint64_t> || std::same_as<Value, std::optional<std::uint64_t>>)
+    return OFTInteger64;
   return std::same_as<Value, double> || std::same_as<Value, std::optional<double>> ? OFTReal : OFTString;
 }
 
@@ -56,7 +57,8 @@ class Fields {
   void set(std::uint64_t x) { feature_.SetField(next_++, static_cast<GIntBig>(x)); }
   void set(const std::string& text) { feature_.SetField(next_++, text.c_str()); }
   void set(EndReason reason) { feature_.SetField(next_++, name(reason)); }
-  void set(const std::optional<double>& x) {
+  template <class Value>
+  void set(const std::optional<Value>& x) {
     if (x) {
       set(*x);
     } else {

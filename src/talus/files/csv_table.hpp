@@ -51,9 +51,10 @@ template <class Row, class Value>
 [[nodiscard]] constexpr auto word(std::string_view name, std::string_view meaning, Value Row::*member) {
   return Column<Row, Value>{name, "", meaning, member, ColumnKind::word};
 }
-template <class Row>
-[[nodiscard]] constexpr auto key(std::string_view name, std::string_view meaning, std::uint64_t Row::*member) {
-  return Column<Row, std::uint64_t>{name, "", meaning, member, ColumnKind::key};
+/// A whole number that identifies something.
+template <class Row, class Value>
+[[nodiscard]] constexpr auto key(std::string_view name, std::string_view meaning, Value Row::*member) {
+  return Column<Row, Value>{name, "", meaning, member, ColumnKind::key};
 }
 template <class Row, class Value>
 [[nodiscard]] constexpr auto quantity(std::string_view name, std::string_view unit, std::string_view meaning,
@@ -278,6 +279,9 @@ class TableReader {
       return csv_.number(place);
     } else if constexpr (std::same_as<Value, std::optional<double>>) {
       return csv_.text(place).empty() ? std::nullopt : std::optional(csv_.number(place));
+    } else if constexpr (std::same_as<Value, std::optional<std::uint64_t>>) {
+      return csv_.text(place).empty() ? std::nullopt
+                                      : std::optional(static_cast<std::uint64_t>(csv_.whole_number(place)));
     } else if constexpr (std::is_enum_v<Value>) {
       return word_in<Value>(place);
     } else {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -32,7 +33,7 @@ namespace {
 
 /// Whether a map from write_maps() can have this name, with any percentile.
 bool is_name_of_map(std::string_view name) {
-  const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
+  const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}, .bands = banded_map_subjects});
   return std::any_of(kinds.begin(), kinds.end(), [&](const MapKind& kind) {
     if (kind.name == name) return true;
     const std::size_t at = kind.name.find("p50");
@@ -216,13 +217,14 @@ Blocks blocks_of(const Maps& maps, const Maps::Extent& extent) {
 }
 
 /// The maps of a group: each cell is read once.
-void write_group(const Maps& maps, const MapGroup& group, const Maps::Extent& extent, const Blocks& blocks,
+void write_group(const MapsOfRun& maps, const MapGroup& group, const Maps::Extent& extent, const Blocks& blocks,
                  bool is_large, const std::string& crs_wkt, const std::filesystem::path& folder) {
   std::vector<std::unique_ptr<Scratch>> files;
   for (const MapKind& kind : group.kinds)
-    files.push_back(std::make_unique<Scratch>(kind, is_large, maps.grid(), extent, crs_wkt, folder));
+    files.push_back(std::make_unique<Scratch>(kind, is_large, maps.all.grid(), extent, crs_wkt, folder));
   std::vector<std::vector<double>> values(files.size());
   std::vector<double> of_cell(files.size());
+  MapCells cells(maps, group.needs_ensembles);
   for (const auto& [place, tiles] : blocks) {
     stop_point();
     const int x = place.second * Scratch::block, y = place.first * Scratch::block;
@@ -234,17 +236,20 @@ void write_group(const Maps& maps, const MapGroup& group, const Maps::Extent& ex
     }
     const std::int32_t west = extent.first.column + x, north = extent.last.row - y;
     for (const Maps::Tile* tile : tiles) {
+      cells.enter(*tile);
       const std::int32_t first_column = std::max(tile->first().column, west);
       const std::int32_t last_column = std::min(tile->first().column + Maps::tile_side, west + columns) - 1;
       const std::int32_t first_row = std::max(tile->first().row, north - rows + 1);
       const std::int32_t last_row = std::min(tile->first().row + Maps::tile_side - 1, north);
       for (std::int32_t row = first_row; row <= last_row; ++row) {
         for (std::int32_t column = first_column; column <= last_column; ++column) {
-          const auto tally = tile->find(column - tile->first().column, row - tile->first().row);
-          if (!tally) continue;
-          group.values(*tally, of_cell);
+          const auto cell = cells.find(column - tile->first().column, row - tile->first().row);
+          if (!cell) continue;
+          group.values(*cell, of_cell);
           const auto at = static_cast<std::size_t>((north - row) * columns + column - west);
-          for (std::size_t k = 0; k < files.size(); ++k) values[k][at] = of_cell[k];
+          for (std::size_t k = 0; k < files.size(); ++k) {
+            if (!std::isnan(of_cell[k])) values[k][at] = of_cell[k];
+          }
         }
       }
     }
@@ -288,19 +293,19 @@ void make_lists_of_options() {
 
 bool can_write_maps() { return true; }
 
-std::vector<std::string> write_maps(const Maps& maps, const MapSelection& selection, const std::string& crs_wkt,
+std::vector<std::string> write_maps(const MapsOfRun& maps, const MapSelection& selection, const std::string& crs_wkt,
                                     const std::filesystem::path& folder) {
   std::vector<std::string> names;
-  const auto extent = maps.extent();
+  const auto extent = maps.all.extent();
   if (!extent) return names;
   make_output_folder(folder);
-  const std::vector<MapGroup> groups = map_groups(maps.rocks(), selection);
+  const std::vector<MapGroup> groups = map_groups(selection);
   for (const MapGroup& group : groups) {
     for (const MapKind& kind : group.kinds) names.push_back(kind.name);
   }
   make_lists_of_options();
-  const Blocks blocks = blocks_of(maps, *extent);
-  const bool is_large = has_large_counts(maps);
+  const Blocks blocks = blocks_of(maps.all, *extent);
+  const bool is_large = has_large_counts(maps.all);
   const StopScope* const here = StopScope::current();
   tbb::parallel_for_each(groups, [&](const MapGroup& group) {
     const StopScope there(here);
@@ -313,7 +318,7 @@ std::vector<std::string> write_maps(const Maps& maps, const MapSelection& select
 
 bool can_write_maps() { return false; }
 
-std::vector<std::string> write_maps(const Maps&, const MapSelection&, const std::string&,
+std::vector<std::string> write_maps(const MapsOfRun&, const MapSelection&, const std::string&,
                                     const std::filesystem::path& folder) {
   throw BadInput(Problem{.file = folder.string(),
                          .what = "cannot write maps",

@@ -20,12 +20,13 @@ namespace talus {
 void remove_maps(const std::filesystem::path& folder);
 
 /// Writes FOLDER/NAME.tif and FOLDER/NAME.qml for each map of the selection, over the cells that rocks touched. The
-/// maps must have the contents of the selection; docs/outputs.md lists the names. `crs_wkt` is the coordinate system of
-/// the user coordinates, empty if unknown. Files appear when they are complete. Nothing is written without a rock.
-/// Throws BadInput if the folder is not writable, or if the program was built without GDAL.
+/// maps must have the contents of the selection, and ensembles if it has bands; docs/outputs.md lists the names.
+/// `crs_wkt` is the coordinate system of the user coordinates, empty if unknown. Files appear when they are complete.
+/// Nothing is written without a rock. Throws BadInput if the folder is not writable, or if the program was built
+/// without GDAL.
 ///
 /// Returns the names of the maps.
-std::vector<std::string> write_maps(const Maps& maps, const MapSelection& selection, const std::string& crs_wkt,
+std::vector<std::string> write_maps(const MapsOfRun& maps, const MapSelection& selection, const std::string& crs_wkt,
                                     const std::filesystem::path& folder);
 
 }  // namespace talus

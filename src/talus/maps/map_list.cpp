@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+
+#include "talus/maps/map_bands.hpp"
 
 namespace talus {
 
@@ -39,8 +42,14 @@ MapKind kind_of_quantity(const MapSubjectRow& row, const std::string& part, cons
           overview};
 }
 
-MapGroup counts_of(std::uint64_t rocks, const MapSubjects& subjects) {
-  MapGroup group;
+/// Maps whose values in a cell follow from the rocks of the run, or of an ensemble.
+struct PlainGroup {
+  std::vector<MapKind> kinds;
+  MapCellValues values;
+};
+
+PlainGroup counts_of(const MapSubjects& subjects) {
+  PlainGroup group;
   std::vector<MapCount> chosen;
   for (std::size_t k = 0; k < map_subjects.size(); ++k) {
     const MapSubjectRow& row = map_subjects[k];
@@ -48,14 +57,14 @@ MapGroup counts_of(std::uint64_t rocks, const MapSubjects& subjects) {
     chosen.push_back(*row.count);
     group.kinds.push_back(kind_of_count(row));
   }
-  group.values = [rocks, chosen = std::move(chosen)](const MapTally& cell, std::span<double> values) {
+  group.values = [chosen = std::move(chosen)](const MapTally& cell, std::uint64_t rocks, std::span<double> values) {
     for (std::size_t k = 0; k < chosen.size(); ++k) values[k] = value_of(chosen[k], cell, static_cast<double>(rocks));
   };
   return group;
 }
 
-MapGroup group_of(const MapSubjectRow& row, const std::vector<double>& percentiles) {
-  MapGroup group;
+PlainGroup group_of(const MapSubjectRow& row, const std::vector<double>& percentiles) {
+  PlainGroup group;
   const auto add = [&](const std::string& part, const std::string& meaning, MapOverview overview) {
     group.kinds.push_back(kind_of_quantity(row, part, meaning, overview));
   };
@@ -64,7 +73,7 @@ MapGroup group_of(const MapSubjectRow& row, const std::vector<double>& percentil
   for (const double percent : percentiles) {
     add(fmt::format("p{}", percent), fmt::format("percentile {} of the rocks", percent), MapOverview::maximum);
   }
-  group.values = [quantity = *row.quantity, per = row.per, percentiles](const MapTally& cell,
+  group.values = [quantity = *row.quantity, per = row.per, percentiles](const MapTally& cell, std::uint64_t,
                                                                         std::span<double> values) {
     values[0] = cell.maximum(quantity);
     values[1] = cell.mean(quantity);
@@ -74,25 +83,82 @@ MapGroup group_of(const MapSubjectRow& row, const std::vector<double>& percentil
   return group;
 }
 
-}  // namespace
+MapGroup of_all(PlainGroup plain) {
+  return {std::move(plain.kinds),
+          [values = std::move(plain.values)](const MapCellTallies& cell, std::span<double> out) {
+            values(cell.all, cell.rocks, out);
+          }};
+}
 
-MapContents contents_of(const MapSelection& selection) {
+/// The name with a word before the unit.
+std::string with_word(const MapKind& kind, const MapSubjectRow& row, std::string_view word) {
+  if (row.unit_in_name.empty()) return fmt::format("{}_{}", kind.name, word);
+  const std::string_view before(kind.name.data(), kind.name.size() - row.unit_in_name.size());
+  return fmt::format("{}{}_{}", before, word, row.unit_in_name);
+}
+
+MapGroup bands_of(PlainGroup plain, const MapSubjectRow& row) {
+  MapGroup group{.needs_ensembles = true};
+  for (const MapKind& kind : plain.kinds) {
+    for (const MapBandEnd& end : map_band_ends) {
+      MapKind& band = group.kinds.emplace_back(kind);
+      band.name = with_word(kind, row, end.word);
+      band.meaning = fmt::format("{}; {}", kind.meaning, end.meaning);
+    }
+  }
+  const std::size_t count = plain.kinds.size();
+  group.values = [count, values = std::move(plain.values)](const MapCellTallies& cell, std::span<double> out) {
+    band_values(cell, values, count, out);
+  };
+  return group;
+}
+
+MapGroup bands_of_reach() {
+  const MapSubjects reach = only(MapCount::reach_share);
+  const auto row = std::ranges::find(map_subjects, MapCount::reach_share, &MapSubjectRow::count);
+  MapGroup group = bands_of(counts_of(reach), *row);
+  group.kinds.push_back({.name = fmt::format("{}_parameter_part", row->name),
+                         .meaning = "part of the parameters in its variance between ensembles",
+                         .limits = {0.1, 0.3, 0.5, 0.7, 0.9},
+                         .overview = MapOverview::mean});
+  group.values = [ends = std::move(group.values)](const MapCellTallies& cell, std::span<double> out) {
+    ends(cell, out.first(map_band_ends.size()));
+    out[map_band_ends.size()] = parameter_part_of_reach(cell);
+  };
+  return group;
+}
+
+MapContents contents_for(const MapSubjects& subjects, bool with_percentiles_of_all) {
   MapContents::Choice gathered{}, with_percentiles{};
   for (std::size_t k = 0; k < map_subjects.size(); ++k) {
-    if (!map_subjects[k].quantity || !selection.subjects[k]) continue;
+    if (!map_subjects[k].quantity || !subjects[k]) continue;
     const auto place = static_cast<std::size_t>(*map_subjects[k].quantity);
     gathered[place] = true;
-    with_percentiles[place] = !selection.percentiles.empty();
+    with_percentiles[place] = with_percentiles_of_all;
   }
   return {gathered, with_percentiles};
 }
 
-std::vector<MapGroup> map_groups(std::uint64_t rocks, const MapSelection& selection) {
+}  // namespace
+
+MapContents contents_of(const MapSelection& selection) {
+  return contents_for(selection.subjects, !selection.percentiles.empty());
+}
+
+MapContents contents_of_ensembles(const MapSelection& selection) {
+  return contents_for(selection.bands, !selection.percentiles.empty());
+}
+
+std::vector<MapGroup> map_groups(const MapSelection& selection) {
   std::vector<MapGroup> groups;
-  if (MapGroup group = counts_of(rocks, selection.subjects); !group.kinds.empty()) groups.push_back(std::move(group));
+  if (PlainGroup group = counts_of(selection.subjects); !group.kinds.empty())
+    groups.push_back(of_all(std::move(group)));
+  if ((selection.bands & only(MapCount::reach_share)).any()) groups.push_back(bands_of_reach());
   for (std::size_t k = 0; k < map_subjects.size(); ++k) {
     const MapSubjectRow& row = map_subjects[k];
-    if (row.quantity && selection.subjects[k]) groups.push_back(group_of(row, selection.percentiles));
+    if (!row.quantity || !selection.subjects[k]) continue;
+    groups.push_back(of_all(group_of(row, selection.percentiles)));
+    if (selection.bands[k]) groups.push_back(bands_of(group_of(row, selection.percentiles), row));
   }
   return groups;
 }
@@ -103,6 +169,12 @@ std::vector<MapKind> map_families() {
     kinds.push_back(row.count ? kind_of_count(row)
                               : kind_of_quantity(row, "…", "`max`, `mean` and the percentiles", MapOverview::maximum));
   }
+  for (const MapBandEnd& end : map_band_ends)
+    kinds.push_back(
+        {.name = fmt::format("…_{}", end.word),
+         .meaning = fmt::format("of the `reach_share`s and quantities of `output.bands`: {}", end.meaning)});
+  kinds.push_back({.name = "reach_share_parameter_part",
+                   .meaning = "part of the parameters in the variance of the `reach_share` between ensembles"});
   return kinds;
 }
 
@@ -125,8 +197,7 @@ std::vector<SectionFigure> section_figures() {
 
 std::vector<MapKind> map_kinds(const MapSelection& selection) {
   std::vector<MapKind> kinds;
-  for (const MapGroup& group : map_groups(1, selection))
-    kinds.insert(kinds.end(), group.kinds.begin(), group.kinds.end());
+  for (const MapGroup& group : map_groups(selection)) kinds.insert(kinds.end(), group.kinds.begin(), group.kinds.end());
   return kinds;
 }
 

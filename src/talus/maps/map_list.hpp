@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/maps/map_cells.hpp"
 #include "talus/maps/map_style.hpp"
 #include "talus/maps/map_subjects.hpp"
 #include "talus/results/maps.hpp"
@@ -28,23 +29,26 @@ struct MapKind {
 /// Maps whose values in a cell are computed together.
 struct MapGroup {
   std::vector<MapKind> kinds;
-  /// Writes one value for each kind.
-  std::function<void(const MapTally& cell, std::span<double> values)> values;
+  /// Writes one value for each kind; NaN: none.
+  std::function<void(const MapCellTallies& cell, std::span<double> values)> values;
+  bool needs_ensembles = false;
 };
 
 /// Which maps to make.
 struct MapSelection {
   MapSubjects subjects = all_map_subjects;
   std::vector<double> percentiles{};  // in [0, 100], for the quantities among the subjects
+  MapSubjects bands{};                // the subjects whose range between ensembles is mapped, too
 };
 
-/// The quantities that have to be gathered for them.
+/// The quantities that have to be gathered for them, of all rocks and of each ensemble.
 [[nodiscard]] MapContents contents_of(const MapSelection& selection);
+[[nodiscard]] MapContents contents_of_ensembles(const MapSelection& selection);
 
-/// For maps of `rocks` rocks; groups without a map are left out.
-[[nodiscard]] std::vector<MapGroup> map_groups(std::uint64_t rocks, const MapSelection& selection);
+/// Groups without a map are left out. Those of a range between ensembles follow those of the same subject.
+[[nodiscard]] std::vector<MapGroup> map_groups(const MapSelection& selection);
 
-/// One for each subject, with … in the name for max, mean or a percentile.
+/// One for each subject, with … in the name for max, mean or a percentile; and those of ranges between ensembles.
 [[nodiscard]] std::vector<MapKind> map_families();
 
 /// How the page shows a subject along a section.

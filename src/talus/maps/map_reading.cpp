@@ -45,7 +45,7 @@ struct Known {
 
 /// The kind of map of a file name; nullopt if it is not a map of a run.
 std::optional<Known> known(const std::string& stem) {
-  static const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}});
+  static const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}, .bands = banded_map_subjects});
   const auto found = std::ranges::find(kinds, kind_of(stem), &MapKind::name);
   if (found == kinds.end()) return std::nullopt;
   return Known{static_cast<std::size_t>(found - kinds.begin()), found->limits};

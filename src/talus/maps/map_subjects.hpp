@@ -105,6 +105,21 @@ using MapSubjects = std::bitset<map_subjects.size()>;
 
 inline constexpr MapSubjects all_map_subjects{(1U << map_subjects.size()) - 1};
 
+/// Whether its maps can show a range between ensembles: counts of ensembles of other sizes cannot be compared.
+[[nodiscard]] constexpr bool has_band(const MapSubjectRow& row) {
+  return row.quantity || row.count == MapCount::reach_share;
+}
+inline constexpr MapSubjects banded_map_subjects = [] {
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < map_subjects.size(); ++k) bits |= has_band(map_subjects[k]) ? 1U << k : 0U;
+  return MapSubjects(bits);
+}();
+[[nodiscard]] constexpr MapSubjects only(MapCount count) {
+  unsigned bits = 0;
+  for (std::size_t k = 0; k < map_subjects.size(); ++k) bits |= map_subjects[k].count == count ? 1U << k : 0U;
+  return MapSubjects(bits);
+}
+
 /// `subjects` without the maps of a quantity.
 [[nodiscard]] inline MapSubjects without(MapQuantity quantity, MapSubjects subjects) {
   for (std::size_t k = 0; k < map_subjects.size(); ++k) {

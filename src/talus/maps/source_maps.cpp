@@ -78,9 +78,11 @@ void write_source_maps(std::span<const Maps> maps, std::span<const std::string> 
   TALUS_PROMISE(maps.size() == sources.size(), "every source has its maps");
   const std::vector<std::string> folders = folder_names(sources);
   std::string list = header_of<SourceRow>();
+  MapSelection of_each = selection;
+  of_each.bands.reset();  // ensembles are not divided by source
   for (std::size_t k = 0; k < maps.size(); ++k) {
     if (maps[k].rocks() == 0) continue;
-    (void)write_maps(maps[k], selection, crs_wkt, folder / folders[k]);
+    (void)write_maps(maps[k], of_each, crs_wkt, folder / folders[k]);
     append_row(list, SourceRow{folders[k], sources[k], maps[k].rocks()});
   }
   make_output_folder(folder);

@@ -302,6 +302,22 @@ class Rules {
         .check();
   }
 
+  void check_bands(const toml::array& list) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      const auto name = list[i].value<std::string_view>().value_or("");
+      const auto found = std::ranges::find(map_subject_names, name);
+      if (found == map_subject_names.end()) continue;
+      const auto place = static_cast<std::size_t>(found - map_subject_names.begin());
+      const std::string what = fmt::format("bands[{}] is \"{}\"", i, name);
+      if (!banded_map_subjects[place]) {
+        report(list.get(i), "[output]", what, "counts of ensembles depend on their number of rocks",
+               "Choose \"reach_share\"");
+      } else if (!project_.output.maps[place]) {
+        report(list.get(i), "[output]", what, "maps does not list it", "Add it there");
+      }
+    }
+  }
+
   void check_output() {
     const toml::table* row = table("output");
     const Output& output = project_.output;
@@ -310,6 +326,7 @@ class Rules {
       report(row->get("percentiles"), "[output]", "percentiles has no effect", "maps lists only counts",
              "Add a quantity, such as \"energy_total\"", Severity::warning);
     }
+    if (const Node list = accepted(row, "bands"); list && list->is_array()) check_bands(*list->as_array());
     if (const Node list = accepted(row, "percentiles")) {
       for (const std::size_t i : repeated(output.percentiles)) {
         report(list->as_array()->get(i), "[output]",

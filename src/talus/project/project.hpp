@@ -200,6 +200,8 @@ struct Output {
   std::vector<std::array<double, 2>> runout_along;
   MapSubjects maps = all_map_subjects;  // `true` is all, `false` none
   bool maps_by_source = false;
+  // With sampling.parameters: of the maps, those whose range between ensembles is mapped.
+  MapSubjects bands = only(MapCount::reach_share);
   // nullopt is "terrain", the cells of the terrain's raster; 0 means not given, until reading is complete.
   std::optional<double> raster_cell_m = 0;
   std::vector<double> percentiles{50, 95, 99};

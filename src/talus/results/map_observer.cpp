@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "talus/results/ensemble.hpp"
+
 namespace talus {
 
 namespace {
@@ -54,11 +56,17 @@ void raise(MapVisit& visit, const MaxMotion& motion, double height) {
 /// Packs the visits of a block's rocks, for the maps when the block is committed.
 class MapObserver::Part : public ObserverPart {
  public:
-  Part(const Maps& maps, std::size_t number_of_maps, VisitMemory& memory, const MaxHeights& heights)
-      : grid_(maps.grid()), heights_(heights), packer_(maps.contents(), memory), rocks_(number_of_maps) {}
+  explicit Part(const MapObserver& of)
+      : grid_(of.maps_.front().grid()),
+        heights_(of.heights_),
+        sources_(of.sources_),
+        packer_(of.maps_.front().contents(), of.memory_),
+        rocks_(of.maps_.size()) {
+    if (!of.of_ensembles().empty()) of_ensembles_.emplace(of.of_ensembles().front().contents(), of.memory_);
+  }
 
   void see(const RockRecord& record, const RockLog& log) override {
-    const std::uint32_t map = rocks_.size() > 1 ? record.source.index : 0;
+    const std::uint32_t map = sources_ > 1 ? record.source.index : 0;
     cells_.begin_rock();
     for (const PathPiece& piece : log.pieces) {
       if (piece.steps.count > 0) {
@@ -78,10 +86,15 @@ class MapObserver::Part : public ObserverPart {
     last.is_deposit = reason == EndReason::at_rest || reason == EndReason::stopped_by_barrier;
     ++rocks_[map];
     packer_.add(map, cells_.list());
+    if (!of_ensembles_) return;
+    const std::size_t own = sources_ + ensemble_of(record.rock, rocks_.size() - sources_);
+    ++rocks_[own];
+    of_ensembles_->add(static_cast<std::uint32_t>(own), cells_.list());
   }
 
   [[nodiscard]] std::span<const std::uint64_t> rocks() const { return rocks_; }
   [[nodiscard]] VisitBlock take() { return packer_.take(); }
+  [[nodiscard]] VisitBlock take_of_ensembles() { return of_ensembles_ ? of_ensembles_->take() : VisitBlock(); }
 
  private:
   [[nodiscard]] static bool leads_anywhere(const PathPiece& piece) {
@@ -179,7 +192,9 @@ class MapObserver::Part : public ObserverPart {
 
   MapGrid grid_;
   const MaxHeights& heights_;
+  std::size_t sources_;
   VisitPacker packer_;
+  std::optional<VisitPacker> of_ensembles_;
   std::vector<std::uint64_t> rocks_;  // by map
   RockVisits cells_;
   MapCell cell_;  // the last one visited
@@ -189,21 +204,25 @@ class MapObserver::Part : public ObserverPart {
 };
 
 MapObserver::MapObserver(const MapGrid& grid, MaxHeights heights, std::optional<std::size_t> sources,
-                         const MapContents& contents)
-    : heights_(std::move(heights)), is_split_(sources.has_value()) {
-  for (std::size_t k = 0; k < std::max<std::size_t>(1, sources.value_or(1)); ++k) maps_.emplace_back(grid, contents);
+                         const MapContents& contents, std::size_t ensembles, const MapContents& contents_of_ensembles)
+    : heights_(std::move(heights)),
+      is_split_(sources.has_value()),
+      sources_(std::max<std::size_t>(1, sources.value_or(1))) {
+  for (std::size_t k = 0; k < sources_; ++k) maps_.emplace_back(grid, contents);
+  for (std::size_t k = 0; k < ensembles; ++k) maps_.emplace_back(grid, contents_of_ensembles);
 }
 
-std::unique_ptr<ObserverPart> MapObserver::new_part() const {
-  return std::make_unique<Part>(maps_.front(), maps_.size(), memory_, heights_);
-}
+std::unique_ptr<ObserverPart> MapObserver::new_part() const { return std::make_unique<Part>(*this); }
 
 void MapObserver::commit(ObserverPart& part) {
   auto& seen = static_cast<Part&>(part);
   total_.reset();
   for (std::size_t k = 0; k < maps_.size(); ++k) maps_[k].add_rocks(seen.rocks()[k]);
-  waiting_.push_back(seen.take());
-  waiting_bytes_ += waiting_.back().bytes();
+  for (VisitBlock& block : std::array{seen.take(), seen.take_of_ensembles()}) {
+    if (block.pieces.empty()) continue;
+    waiting_bytes_ += block.bytes();
+    waiting_.push_back(std::move(block));
+  }
   if (waiting_bytes_ >= waiting_limit_) return add_waiting();
   memory_taken_ = bytes_of_maps_ + waiting_bytes_;
 }
@@ -224,11 +243,12 @@ void MapObserver::add_waiting() {
 }
 
 void MapObserver::update_memory() {
-  std::size_t bytes = 0;
-  for (const Maps& maps : maps_) bytes += maps.bytes();
-  bytes_of_maps_ = is_split_ ? 2 * bytes : bytes;
+  std::size_t bytes = 0, bytes_of_ensembles = 0;
+  for (const Maps& maps : of_sources()) bytes += maps.bytes();
+  for (const Maps& maps : of_ensembles()) bytes_of_ensembles += maps.bytes();
+  bytes_of_maps_ = (is_split_ ? 2 * bytes : bytes) + bytes_of_ensembles;
   memory_taken_ = bytes_of_maps_ + waiting_bytes_;
-  waiting_limit_ = std::max(least_waiting, bytes / waiting_part);
+  waiting_limit_ = std::max(least_waiting, (bytes + bytes_of_ensembles) / waiting_part);
   const std::size_t most_waiting = (memory_limit_ - std::min(memory_limit_, bytes_of_maps_)) / most_growth;
   if (waiting_limit_ <= most_waiting) return;
   waiting_limit_ = most_waiting;
@@ -249,14 +269,15 @@ void MapObserver::settle() {
 void MapObserver::save(ByteWriter& out) {
   settle();
   out.flag(is_split_);
-  out.count(maps_.size());
+  out.count(sources_);
+  out.count(maps_.size() - sources_);
   for (const Maps& maps : maps_) maps.save(out);
 }
 
 void MapObserver::merge_saved(ByteReader& in) {
   total_.reset();
-  expect_bytes(in.flag() == is_split_ && in.get<std::uint64_t>() == maps_.size(),
-               "maps are split by different sources");
+  expect_bytes(in.flag() == is_split_ && in.get<std::uint64_t>() == sources_, "maps are split by different sources");
+  expect_bytes(in.get<std::uint64_t>() == maps_.size() - sources_, "maps are of other ensembles");
   for (Maps& maps : maps_) maps.merge_saved(in);
   update_memory();
 }
@@ -266,7 +287,7 @@ const Maps& MapObserver::maps() {
   if (!is_split_) return maps_.front();
   if (!total_) {
     total_.emplace(maps_.front().grid(), maps_.front().contents());
-    for (const Maps& maps : maps_) total_->merge(maps);
+    for (const Maps& maps : of_sources()) total_->merge(maps);
     total_->settle();
   }
   return *total_;
@@ -274,7 +295,12 @@ const Maps& MapObserver::maps() {
 
 std::span<const Maps> MapObserver::by_source() {
   settle();
-  return is_split_ ? std::span<const Maps>(maps_) : std::span<const Maps>();
+  return is_split_ ? of_sources() : std::span<const Maps>();
+}
+
+std::span<const Maps> MapObserver::by_ensemble() {
+  settle();
+  return of_ensembles();
 }
 
 }  // namespace talus

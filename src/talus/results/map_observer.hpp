@@ -33,12 +33,15 @@ template <class Surface>
 /// The maps of all rocks are one set. If maps are split by source there is one set for each, and those of all rocks are
 /// their sum, made when it is asked for. The run does the same work, but cells that rocks of several sources touch take
 /// memory for each.
+///
+/// Each ensemble may have maps of its own, with other contents: the same as a run of its rocks alone would have.
 class MapObserver : public SummingObserver {
  public:
   /// `heights` is called by many threads at the same time. `sources`: the number of sources to split the maps by;
-  /// nullopt for maps that are not split.
+  /// nullopt for maps that are not split. `ensembles`: maps of each are kept, unless it is 0.
   MapObserver(const MapGrid& grid, MaxHeights heights, std::optional<std::size_t> sources = {},
-              const MapContents& contents = {});
+              const MapContents& contents = {}, std::size_t ensembles = 0,
+              const MapContents& contents_of_ensembles = {});
   [[nodiscard]] bool wants_rows(std::uint64_t) const override { return false; }
   [[nodiscard]] bool wants_pieces() const override { return true; }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
@@ -57,6 +60,8 @@ class MapObserver : public SummingObserver {
   [[nodiscard]] const Maps& maps();
   /// The same for each source, by its number; empty if maps are not split.
   [[nodiscard]] std::span<const Maps> by_source();
+  /// The same for each ensemble, by its number.
+  [[nodiscard]] std::span<const Maps> by_ensemble();
 
  private:
   class Part;
@@ -65,10 +70,13 @@ class MapObserver : public SummingObserver {
   void settle();
   /// Updates the memory taken, and how much may wait, after the maps have changed.
   void update_memory();
+  [[nodiscard]] std::span<const Maps> of_sources() const { return std::span(maps_).first(sources_); }
+  [[nodiscard]] std::span<const Maps> of_ensembles() const { return std::span(maps_).subspan(sources_); }
 
   MaxHeights heights_;
   bool is_split_;
-  std::vector<Maps> maps_;      // one, or one for each source
+  std::size_t sources_;         // sets of maps that have all rocks together
+  std::vector<Maps> maps_;      // of these, then of the ensembles
   std::optional<Maps> total_;   // of split maps, once asked for
   mutable VisitMemory memory_;  // outlives parts and waiting blocks
   // Blocks that are committed but not yet in the maps: going through all tiles pays only for many of them.

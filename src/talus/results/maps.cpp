@@ -139,6 +139,11 @@ std::optional<Maps::Extent> Maps::extent() const {
   return extent;
 }
 
+const Maps::Tile* Maps::find_tile(MapCell first) const {
+  const auto found = tiles_.find(map_tiles::key_of(first));
+  return found == tiles_.end() ? nullptr : found->second.get();
+}
+
 std::vector<const Maps::Tile*> Maps::tiles() const {
   std::vector<const Tile*> list;
   list.reserve(tiles_.size());

@@ -53,6 +53,8 @@ class Maps {
   using Tile = MapTile;
   /// Tiles row by row, from the lowest row and column.
   [[nodiscard]] std::vector<const Tile*> tiles() const;
+  /// The tile whose first cell this is; null if no rock touched it.
+  [[nodiscard]] const Tile* find_tile(MapCell first) const;
 
  private:
   [[nodiscard]] Tile& tile(std::uint64_t key);

@@ -60,8 +60,8 @@ void stop_if_memory_is_short(std::uint64_t done, const RunOptions& options, cons
   }
   if (of_maps) {
     text +=
-        ". Maps take less with larger cells (output.raster_cell_m), fewer quantities (output.maps) or no percentiles "
-        "(output.percentiles = [])";
+        ". Maps take less with larger cells (output.raster_cell_m), fewer quantities (output.maps, output.bands) or no "
+        "percentiles (output.percentiles = [])";
   }
   throw OutOfMemory(text);
 }

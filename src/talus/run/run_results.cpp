@@ -7,7 +7,9 @@
 
 #include "talus/archive/design_tables.hpp"
 #include "talus/archive/envelope_table.hpp"
+#include "talus/archive/figure_counts.hpp"
 #include "talus/archive/model_json.hpp"
+#include "talus/archive/uncertainty_table.hpp"
 #include "talus/core/check.hpp"
 #include "talus/core/memory.hpp"
 #include "talus/export/derived_files.hpp"
@@ -51,8 +53,6 @@ MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface&
   return MapGrid::at_multiples(1, frame, low);
 }
 
-MapSelection selection_of(const Project& project) { return {project.output.maps, project.output.percentiles}; }
-
 std::optional<std::size_t> split_by(const RunDescription& description) {
   if (!description.maps->by_source) return std::nullopt;
   return description.sources.size();
@@ -75,7 +75,8 @@ void write_section_envelopes(const std::filesystem::path& folder, const RunDescr
   remove_envelopes(folder);
   if (maps == nullptr || !description.wants_envelopes) return;
   const nlohmann::ordered_json::json_pointer deviations("/terrain/section_std_dev_m");
-  write_envelopes(folder, maps->maps(), description.maps->selection, !description.project.contains(deviations));
+  write_envelopes(folder, {maps->maps(), maps->by_ensemble()}, description.maps->selection,
+                  !description.project.contains(deviations));
 }
 
 void write_all_maps(const std::filesystem::path& folder, const RunDescription& description, MapObserver* maps,
@@ -85,13 +86,24 @@ void write_all_maps(const std::filesystem::path& folder, const RunDescription& d
   if (maps == nullptr || !description.wants_maps || !can_write_maps()) return;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   const MapSelection& selection = description.maps->selection;
-  write_maps(maps->maps(), selection, description.crs_wkt, folder);
+  write_maps({maps->maps(), maps->by_ensemble()}, selection, description.crs_wkt, folder);
   if (description.maps->by_source) {
     write_source_maps(maps->by_source(), description.sources, selection, description.crs_wkt, folder / "by_source");
   }
 }
 
+/// How many ensembles have maps of their own.
+std::size_t ensembles_with_maps(const MapSelection& selection, const Model& model) {
+  return selection.bands.any() ? model.ensembles.size() : 0;
+}
+
 }  // namespace
+
+MapSelection map_selection(const Project& project, const Model& model) {
+  MapSelection selection{project.output.maps, project.output.percentiles};
+  if (!model.ensembles.empty()) selection.bands = project.output.bands & project.output.maps & banded_map_subjects;
+  return selection;
+}
 
 std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
   if (project.output.maps.none()) return nullptr;
@@ -101,8 +113,10 @@ std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& m
         const MapGrid grid = map_grid(project, model.frame, surface);
         std::optional<std::size_t> sources;
         if (project.output.maps_by_source && !is_section) sources = model.sources.size();
+        const MapSelection selection = map_selection(project, model);
         return std::make_unique<MapObserver>(grid, max_height_over(surface, model.laws.model), sources,
-                                             contents_of(selection_of(project)));
+                                             contents_of(selection), ensembles_with_maps(selection, model),
+                                             contents_of_ensembles(selection));
       },
       model.surface);
 }
@@ -127,7 +141,8 @@ RunDescription describe(const Project& project, const Model& model, const Proble
     const MapGrid grid =
         std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, model.surface);
     const bool by_source = project.output.maps_by_source && !is_section;
-    description.maps = {grid.origin(), grid.cell(), by_source, selection_of(project)};
+    const MapSelection selection = map_selection(project, model);
+    description.maps = {grid.origin(), grid.cell(), by_source, ensembles_with_maps(selection, model), selection};
   }
   if (project.design) description.design = design_plan(*project.design, model);
   description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
@@ -159,7 +174,9 @@ RunSums::RunSums(const RunDescription& description)
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
-  maps_ = std::make_unique<MapObserver>(grid, nullptr, split_by(description), contents_of(description.maps->selection));
+  const MapSelection& selection = description.maps->selection;
+  maps_ = std::make_unique<MapObserver>(grid, nullptr, split_by(description), contents_of(selection),
+                                        description.maps->ensembles, contents_of_ensembles(selection));
 }
 
 void RunSums::limit_maps_memory(std::uint64_t bytes) {
@@ -187,6 +204,8 @@ void write_derived(const std::filesystem::path& folder, const RunDescription& de
                    const std::optional<DesignResult>& design, const std::filesystem::path& summary) {
   remove_design_tables(folder);
   if (design) write_design_tables(folder, *description.design, *design);
+  remove_uncertainty(folder);
+  if (ensembles_of(description.project) > 0) write_uncertainty(folder, read_uncertainty(folder, summary.c_str()));
   write_derived_files(folder, summary.c_str());
   // A report of an earlier run would not match the tables.
   std::error_code ignored;

@@ -20,6 +20,9 @@
 
 namespace talus::project {
 
+/// The maps that a run of the model makes.
+[[nodiscard]] MapSelection map_selection(const Project& project, const Model& model);
+
 /// The observer that makes maps of the model's rocks; null if the project has none. Refers to the model.
 [[nodiscard]] std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model);
 

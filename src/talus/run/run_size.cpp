@@ -72,7 +72,7 @@ class SizedMaps {
     maps_ = map_observer(project, model);
     if (!maps_) return;
     part_ = maps_->new_part();
-    values_a_cell_ = static_cast<double>(map_kinds({project.output.maps, project.output.percentiles}).size());
+    values_a_cell_ = static_cast<double>(map_kinds(map_selection(project, model)).size());
     if (maps_->is_split())
       values_a_cell_ *= 2;  // the maps of all sources have at least as many values as those of all rocks
     if (is_section) return;

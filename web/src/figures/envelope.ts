@@ -31,18 +31,29 @@ export const envelopeQuantities: readonly EnvelopeQuantity[] = Object.entries(se
 export interface Curve {
   column: string;
   title: string;
-  style: 'maximum' | 'percentile' | 'mean';
+  style: 'maximum' | 'percentile' | 'mean' | 'band';
   dash: string | null;
 }
 
 const dashes = ['7 3', '4 3', '2 3', '1 4'];
 
-/// The curves of a quantity among the columns of a file: maximum, percentiles in descending order, mean.
+// The ends of the range between ensembles.
+const bandEnds = { low: '5 % of ensembles below', high: '5 % of ensembles above' } as const;
+const bandDash = '1 2';
+
+/// The curves of a quantity among the columns of a file: maximum, percentiles in descending order, mean. Ranges between
+/// ensembles are those of shares and maxima.
 export function curvesOf(columns: readonly string[], key: string): Curve[] {
-  if (columns.includes(key)) return [{ column: key, title: '', style: 'maximum', dash: null }];
+  const band = Object.entries(bandEnds).flatMap(([end, title]): Curve[] => {
+    const column = columns.find((each) => each === `${key}_${end}` || each.startsWith(`${key}_max_${end}_`));
+    if (!column) return [];
+    return [{ column, title: column === `${key}_${end}` ? title : `maximum, ${title}`, style: 'band', dash: bandDash }];
+  });
+  if (columns.includes(key))
+    return [{ column: key, title: band.length > 0 ? 'all rocks' : '', style: 'maximum', dash: null }, ...band];
   const found = columns.flatMap((column): (Omit<Curve, 'dash'> & { order: number })[] => {
     const figure = column.startsWith(`${key}_`)
-      ? /^(max|mean|p[\d.]+)_/.exec(column.slice(key.length + 1))?.[1]
+      ? /^(max|mean|p[\d.]+)_(?!low_|high_)/.exec(column.slice(key.length + 1))?.[1]
       : undefined;
     if (!figure) return [];
     if (figure === 'max') return [{ column, title: 'maximum', style: 'maximum', order: Infinity }];
@@ -51,12 +62,13 @@ export function curvesOf(columns: readonly string[], key: string): Curve[] {
     return [{ column, title: `percentile ${percent}`, style: 'percentile', order: percent }];
   });
   found.sort((a, b) => b.order - a.order);
-  return found.map(({ column, title, style }, k) => ({
+  const curves = found.map(({ column, title, style }, k) => ({
     column,
     title,
     style,
     dash: dashes[Math.min(k, dashes.length) - 1] ?? null,
   }));
+  return [...curves, ...band];
 }
 
 /// The cells of one run.

@@ -19,6 +19,7 @@ export const endpointColumns = {
   radius_m: {"kind":"quantity","unit":"m","meaning":"radius of the equivalent sphere"},
   max_ke_J: {"kind":"quantity","unit":"J","meaning":"maximum total kinetic energy: translational and rotational"},
   max_bounce_m: {"kind":"quantity","unit":"m","meaning":"maximum bounce height: of the centre above the ground straight below it, in flight, and for a sphere also on the ground"},
+  ensemble: {"kind":"key","unit":"","meaning":"with `sampling.parameters`: number of the rock's ensemble, from 0; otherwise empty"},
 } as const;
 
 export const pathColumns = {
@@ -56,6 +57,7 @@ export const hitColumns = {
   ke_rotational_J: {"kind":"quantity","unit":"J","meaning":"rotational kinetic energy"},
   ke_total_J: {"kind":"quantity","unit":"J","meaning":"total kinetic energy"},
   outcome: {"kind":"word","unit":"","meaning":"outcome of the hit"},
+  ensemble: {"kind":"key","unit":"","meaning":"with `sampling.parameters`: number of the rock's ensemble, from 0; otherwise empty"},
 } as const;
 
 // What statistics are made of: the quantities of a table, and what follows from them.

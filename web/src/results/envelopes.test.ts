@@ -27,6 +27,21 @@ test('quantities have the curves of the file, the maximum first', () => {
   ]);
 });
 
+test('the range between ensembles follows the curves of all rocks', () => {
+  const columns = ['reach_share', 'reach_share_low', 'reach_share_high', 'reach_share_parameter_part'];
+  expect(curvesOf(columns, 'reach_share').map(({ title, style }) => [title, style])).toEqual([
+    ['all rocks', 'maximum'],
+    ['5 % of ensembles below', 'band'],
+    ['5 % of ensembles above', 'band'],
+  ]);
+  const energies = ['energy_total_max_kJ', 'energy_total_p95_kJ', 'energy_total_p95_low_kJ', 'energy_total_max_high_kJ'];
+  expect(curvesOf(energies, 'energy_total').map(({ column, title }) => [column, title])).toEqual([
+    ['energy_total_max_kJ', 'maximum'],
+    ['energy_total_p95_kJ', 'percentile 95'],
+    ['energy_total_max_high_kJ', 'maximum, 5 % of ensembles above'],
+  ]);
+});
+
 test('the saved table has the numbers of the file', () => {
   expect(envelopeRows([cells], 'velocity')).toEqual([
     ['x_m', 'from_x_m', 'to_x_m', 'velocity_mean_m_s'],

@@ -25,7 +25,7 @@ const pathTitles: Record<Exclude<PathColumn, 'rock'>, string> = {
   ke_rotational_J: 'Kinetic, rotational',
   pe_J: 'Potential',
 };
-const hitTitles: Record<Exclude<HitColumn, 'rock' | PathColumn>, string> = {
+const hitTitles: Record<Exclude<HitColumn, 'rock' | 'ensemble' | PathColumn>, string> = {
   barrier: 'Barrier',
   impact_height_m: 'Height',
   angle_deg: 'Angle',
@@ -66,7 +66,7 @@ export function PathTable({ run, rock, path }: Props) {
 export function HitsTable({ run, rock, path }: Props) {
   const first = path.hits[0];
   if (!first) return null;
-  const keys = Object.keys(first).filter((key) => key !== 'rock');
+  const keys = Object.keys(first).filter((key) => key !== 'rock' && key !== 'ensemble');
   return (
     <DataTable
       caption="Barriers hit"
@@ -83,6 +83,7 @@ export function RockFacts({ endpoint }: { endpoint: Record<string, string> }) {
   const number = (key: string, unit: string, per = 1) => `${numberText(Number(endpoint[key]) / per)} ${unit}`;
   const facts: [string, string][] = [
     ['Seeder', endpoint.seeder ?? ''],
+    ...(endpoint.ensemble ? [['Ensemble', endpoint.ensemble] as [string, string]] : []),
     ['Mass', number('mass_kg', 'kg')],
     ['End reason', endpoint.end_reason ?? ''],
     ['Runout on plan', number('runout_xy_m', 'm')],

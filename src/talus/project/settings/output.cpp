@@ -98,6 +98,20 @@ Table output_table() {
                .topic = topics::maps,
                .meaning = "Also writes maps of the rocks of each source, in folders of `maps/by_source`.",
                .source = "Talus"},
+              {.key = "bands",
+               .slot = member(&Output::bands),
+               .most_entries = map_subject_names.size(),
+               .applies_when =
+                   {{.any_of = {given("sampling.parameters")}, .why = "all rocks have the same parameters"},
+                    {.any_of = {is_not("maps", {"false", "[]"})}, .why = "maps is false", .hint = "Set maps = true"}},
+               .always_accepted = {"false", "[]"},
+               .title = "Maps of ranges between ensembles",
+               .group = "Maps",
+               .topic = topics::maps,
+               .meaning = "With `sampling.parameters`: of these maps, also those below and above which 5 % of the "
+                          "ensembles are (`…_low`, `…_high`). `true` selects all maps but counts; each takes memory "
+                          "for every ensemble.",
+               .source = "Talus"},
               {.key = "raster_cell_m",
                .slot = map_cell_slot(),
                .unit = "m",

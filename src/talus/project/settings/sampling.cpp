@@ -3,12 +3,9 @@
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
 #include "talus/project/settings/topics.hpp"
+#include "talus/results/ensemble.hpp"
 
 namespace talus::project::declared {
-
-namespace {
-constexpr double most_ensembles = 10'000;
-}
 
 Table sampling_table() {
   auto [add, rows] = one_row(&Project::sampling);
@@ -41,7 +38,9 @@ Table sampling_table() {
                .source = "Talus"},
               {.key = "ensembles",
                .slot = member(&Sampling::ensembles),
-               .range = {.least = 2, .most = most_ensembles, .too_low = "one set shows no uncertainty"},
+               .range = {.least = 2,
+                         .most = static_cast<double>(most_ensembles),
+                         .too_low = "one set shows no uncertainty"},
                .applies_when = {{.any_of = {given("parameters")}, .otherwise = Otherwise::warned}},
                .meaning = "Ensembles of rocks with different parameters; rock n belongs to ensemble n modulo this "
                           "number.",

@@ -1,12 +1,23 @@
 // Maps of results over the shaded relief, with barriers and releases: reach probability, energy, bounce height, velocity.
 
 // Values of the files are divided by `per` for display.
-const mapKinds = {
+const mapKindsOfAll = {
   reach_share: {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: '%', per: 0.01},
   energy_total_max_kJ: {title: 'Maximum total kinetic energy', quantity: 'Total kinetic energy, maximum of all rocks', unit: 'kJ', per: 1},
   bounce_height_max_m: {title: 'Maximum bounce height', quantity: 'Bounce height, maximum of all rocks', unit: 'm', per: 1},
   velocity_max_m_s: {title: 'Maximum velocity', quantity: 'Velocity, maximum of all rocks', unit: 'm/s', per: 1},
 };
+
+// Each is followed by the ends of its range between ensembles, if the run has them.
+const mapKinds = Object.fromEntries(Object.entries(mapKindsOfAll).flatMap(([name, kind]) => {
+  const end = (word) => name === 'reach_share' ? `${name}_${word}` : name.replace('_max_', `_max_${word}_`);
+  const title = (word) => `${kind.title}: ${word} end of the range between ensembles`;
+  return [[name, kind],
+    [end('low'), {...kind, title: title('low'), quantity: '5 % of the ensembles are below'}],
+    [end('high'), {...kind, title: title('high'), quantity: '5 % of the ensembles are above'}],
+    ...(name === 'reach_share' ? [['reach_share_parameter_part', {title: 'Part of the parameters in the reach probability',
+      quantity: 'Part of its variance between ensembles', unit: '%', per: 0.01}]] : [])];
+}));
 
 // A map's values in the displayed unit, row by row from the south; null where no rock passed.
 function mapValues(map) {

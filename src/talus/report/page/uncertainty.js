@@ -43,7 +43,7 @@ function uncertaintyFigure(parent, run) {
 function uncertaintySections(parent) {
   for (const run of runs.filter((each) => each.uncertainty.figures.length)) {
     const rocks = Math.round((run.summary.rocks.planned || 0) / run.uncertainty.ensembles);
-    element(parent, 'p', `The rocks of this run belong to ${count(run.uncertainty.ensembles, 'ensemble')} of about ${count(rocks, 'rock')}, each with parameters drawn from ${(run.project.sampling || {}).parameters}. All other sections of this page, and the maps, are of all rocks together: their percentiles contain the uncertainty of the parameters.`);
+    element(parent, 'p', `The rocks of this run belong to ${count(run.uncertainty.ensembles, 'ensemble')} of about ${count(rocks, 'rock')}, each with parameters drawn from ${(run.project.sampling || {}).parameters}. All other sections of this page are of all rocks together, but for maps and curves of a range between ensembles: their percentiles contain the uncertainty of the parameters. The table below is also in uncertainty.csv.`);
     uncertaintyTable(parent, run);
     uncertaintyFigure(parent, run);
   }
