@@ -68,6 +68,21 @@ TEST(Uncertainty, OfAShareIsBetweenItsEnsembles) {
   EXPECT_GT(share.parameter_share, 0.9);
 }
 
+// Heights of many small values and few large ones: a normal range about their percentile would begin below 0.
+TEST(Uncertainty, OfRocksIsNotBelowZero) {
+  testing_tools::Dice dice(11);
+  UncertaintyCount count(20 * 30, 20, {"Road"});
+  for (std::uint64_t rock = 0; rock < 20 * 30; ++rock) {
+    count.add_end(rock, {10, 1, dice.chance(0.06) ? 5.0 : 0.01});
+    if (dice.chance(0.03)) count.add_arrival(rock, "Road", {1000, 5, 1});
+  }
+  const Uncertainty all = count.result();
+  const FigureUncertainty& bounce = figure_in(all, FigureOf::max_bounce);
+  EXPECT_EQ(*bounce.rocks.low, 0);
+  EXPECT_GT(*bounce.rocks.high, bounce.rocks.value);
+  EXPECT_EQ(*figure_in(all, FigureOf::share).rocks.low, 0);
+}
+
 TEST(Uncertainty, NeedsFiveEnsembles) {
   EXPECT_TRUE(ensembles_with(5, 4, 50).figures.empty());
   EXPECT_FALSE(ensembles_with(5, 5, 50).figures.empty());

@@ -76,6 +76,8 @@ std::optional<FigureUncertainty> UncertaintyCount::of(const RunFigure& figure) c
   constexpr double normal_95 = 1.6448536269514722;  // the 95th percentile of the standard normal distribution
   const double reach = normal_95 * std::sqrt(std::min(sampling, between_ensembles));
   all.rocks = {*whole, *whole - reach, *whole + reach};
+  if (figure.of != FigureOf::runout) all.rocks.low = std::max(0.0, *all.rocks.low);  // others are not negative
+  if (figure.of == FigureOf::share) all.rocks.high = std::min(1.0, *all.rocks.high);
   return all;
 }
 

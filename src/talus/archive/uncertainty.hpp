@@ -24,7 +24,8 @@ struct FigureUncertainty {
   /// The figure of all rocks, and the range of those of the ensembles: it contains both parts.
   Estimate total;
   /// The range if only one part varied. That of the parameters is the ensembles' range, narrowed by the part of the
-  /// rocks; that of the rocks is of a normal distribution.
+  /// rocks; that of the rocks is of a normal distribution,
+  /// cut where the figure cannot be.
   Estimate parameters, rocks;
   double parameter_share = 0;  // of the variance, 0 to 1
 };

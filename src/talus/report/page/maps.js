@@ -13,8 +13,8 @@ const mapKinds = Object.fromEntries(Object.entries(mapKindsOfAll).flatMap(([name
   const end = (word) => name === 'reach_share' ? `${name}_${word}` : name.replace('_max_', `_max_${word}_`);
   const title = (word) => `${kind.title}: ${word} end of the range between ensembles`;
   return [[name, kind],
-    [end('low'), {...kind, title: title('low'), quantity: '5 % of the ensembles are below'}],
-    [end('high'), {...kind, title: title('high'), quantity: '5 % of the ensembles are above'}],
+    [end('low'), {...kind, title: title('low'), quantity: `${kind.title}; 5 % of the ensembles are below`}],
+    [end('high'), {...kind, title: title('high'), quantity: `${kind.title}; 5 % of the ensembles are above`}],
     ...(name === 'reach_share' ? [['reach_share_parameter_part', {title: 'Part of the parameters in the reach probability',
       quantity: 'Part of its variance between ensembles', unit: '%', per: 0.01}]] : [])];
 }));

@@ -7,7 +7,7 @@ function uncertaintyTable(parent, run) {
     head: [['Figure', 'All rocks', 'Range between ensembles', 'Of the parameters alone', 'Of the rocks alone', 'Part of the parameters']],
     rows: all.map((each) => {
       const {unit, per} = figureUnit(each), range = ([, low, high]) => `${measured(low / per, 4)} to ${measured(high / per, 4)}`;
-      return [figureTitle(each), `${measured(each.total[0] / per, 4)} ${unit}`, range(each.total), range(each.parameters), range(each.rocks),
+      return [figureTitle(each), `${measured(each.total[0] / per, 4)} ${unit}`, range(each.total), each.parameter_share > 0 ? range(each.parameters) : '–', range(each.rocks),
         `${number(Math.round(100 * each.parameter_share))} %`];
     }),
     numeric: (column) => column > 0,
@@ -47,5 +47,5 @@ function uncertaintySections(parent) {
     uncertaintyTable(parent, run);
     uncertaintyFigure(parent, run);
   }
-  element(parent, 'p', 'The range between ensembles contains both parts: that of the parameters, which more knowledge of the site would lessen, and that of the rocks, which is the chance in an ensemble of so many rocks. Variances add up (law of total variance); ranges do not.', {class: 'quiet'});
+  element(parent, 'p', 'The range between ensembles contains both parts: that of the parameters, which more knowledge of the site would lessen, and that of the rocks, which is the chance in an ensemble of so many rocks. Variances add up (law of total variance); ranges do not. A dash: the ensembles differ by no more than chance.', {class: 'quiet'});
 }
