@@ -73,7 +73,7 @@ TEST(Uncertainty, OfRocksIsNotBelowZero) {
   testing_tools::Dice dice(11);
   UncertaintyCount count(20 * 30, 20, {"Road"});
   for (std::uint64_t rock = 0; rock < 20 * 30; ++rock) {
-    count.add_end(rock, {10, 1, dice.chance(0.06) ? 5.0 : 0.01});
+    count.add_end(rock, {10, 1, dice.chance(0.04) ? 5.0 : 0.01});
     if (dice.chance(0.03)) count.add_arrival(rock, "Road", {1000, 5, 1});
   }
   const Uncertainty all = count.result();
