@@ -94,7 +94,7 @@ class ReleaseMatch {
       std::map<std::string, Rocks> of_seeder;
       for (std::uint64_t k = 0; k < seeder.rocks; ++k) {
         of_seeder[seeder.name].push_back(seeder.first_rock + k);
-        const auto* table = std::get_if<ReleaseTable>(&seeder.where);
+        const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
         if (table == nullptr || table->names.empty()) continue;
         const std::string& name = table->names[table->number(table->row_of(k, seeder.rocks)) - 1];
         if (!name.empty() && name != seeder.name) of_seeder[name].push_back(seeder.first_rock + k);
@@ -106,7 +106,7 @@ class ReleaseMatch {
           releases_[name] = std::move(rocks);
         }
       }
-      const auto* table = std::get_if<ReleaseTable>(&seeder.where);
+      const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
       if (table == nullptr) continue;
       for (const std::string& name : table->names) {
         if (!name.empty() && !releases_.contains(name)) without_rocks_.push_back(name);

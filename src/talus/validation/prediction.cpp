@@ -52,7 +52,7 @@ Study with_sites(const Study& study, const std::function<bool(const std::string&
 std::size_t rows_of_releases(const Model& model) {
   std::size_t rows = 0;
   for (const Seeder& seeder : model.seeders) {
-    if (const auto* table = std::get_if<ReleaseTable>(&seeder.where)) rows += table->count();
+    if (const auto* table = std::get_if<ReleaseTable>(&*seeder.where)) rows += table->count();
   }
   return rows;
 }
@@ -61,7 +61,7 @@ std::size_t rows_of_releases(const Model& model) {
 std::map<std::string, std::uint64_t> rocks_by_name(const Model& model) {
   std::map<std::string, std::uint64_t> rocks;
   for (const Seeder& seeder : model.seeders) {
-    const auto* table = std::get_if<ReleaseTable>(&seeder.where);
+    const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
     if (table == nullptr || table->names.empty()) continue;
     for (std::uint64_t k = 0; k < seeder.rocks; ++k) {
       rocks.emplace(table->names[table->number(table->row_of(k, seeder.rocks)) - 1], seeder.first_rock + k);
