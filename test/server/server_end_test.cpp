@@ -40,7 +40,7 @@ TEST_F(EndOfServer, RefusesNewAndResumedRuns) {
     }
     return "is accepted";
   };
-  EXPECT_EQ(refusal([&] { store.runs.begin({.file = file_, .text = section()}); }),
+  EXPECT_EQ(refusal([&] { store.runs.begin(server::RunOrder{.file = file_, .text = section()}); }),
             "slope.toml: cannot be run (the server is shutting down)");
   EXPECT_EQ(refusal([&] { store.runs.resume(id); }), id + ": cannot be resumed (the server is shutting down)");
   EXPECT_EQ(store.runs.list().size(), 1U);
