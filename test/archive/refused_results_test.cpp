@@ -31,7 +31,7 @@ TEST(RefusedResults, ARowOfAMegabyte) {
   folder.write("summary.json", sample_run::summary("Refused").dump());
   folder.write("endpoints.csv", sample_run::endpoints_head + std::string(std::size_t{1} << 20, '1') + "\n");
   EXPECT_EQ(refusal(folder),
-            "endpoints.csv:2: the row has 1 values (expected 17, one for each column)" + std::string(cut_short));
+            "endpoints.csv:2: the row has 1 values (expected 18, one for each column)" + std::string(cut_short));
   folder.write("endpoints.csv", sample_run::endpoints_head + std::string((std::size_t{1} << 20) + 1, '1') + "\n");
   EXPECT_EQ(refusal(folder), "endpoints.csv:2: the row has more than 1048576 bytes (no row of a table is that long)" +
                                  std::string(cut_short));

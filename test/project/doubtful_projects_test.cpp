@@ -65,6 +65,18 @@ percentiles = [95]
 [terrain])"}},
      "slope.toml:8: warning: [output]: percentiles has no effect (maps lists only counts). Add a quantity, such as "
      "\"energy_total\""},
+    {"BandsOfAMapThatIsNotListed",
+     {{"[terrain]",
+       R"([sampling]
+parameters = "posterior.csv"
+ensembles = 2
+
+[output]
+maps = ["velocity"]
+bands = ["velocity", "energy_total"]
+
+[terrain])"}},
+     "slope.toml:12: warning: [output]: bands: \"energy_total\" has no effect (maps does not list it). Add it there"},
     {"VtkWithoutPaths",
      {{"[terrain]",
        R"([output]

@@ -108,6 +108,7 @@ cost_energy_exponent = 0
 endpoints = 30
 impacts = "all"
 runout_from = [3]
+bands = ["reach_share", "velocity"]
 paths = 3
 report = false
 )";

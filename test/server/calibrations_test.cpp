@@ -12,9 +12,9 @@ using testing_tools::Json;
 using testing_tools::Reply;
 using testing_tools::ServedRuns;
 
-class Calibrations : public ServedRuns {
+class ServedCalibrations : public ServedRuns {
  protected:
-  Calibrations() {
+  ServedCalibrations() {
     project_ = text_of(example("slope.toml"));
     write("slope.toml", project_);
     write("stops.csv", text_of(example("stops.csv")));
@@ -34,7 +34,7 @@ class Calibrations : public ServedRuns {
   std::string project_;
 };
 
-TEST_F(Calibrations, AreRunsWithTheResultsOfTheProgram) {
+TEST_F(ServedCalibrations, AreRunsWithTheResultsOfTheProgram) {
   const Reply reply = calibrate(study());
   ASSERT_EQ(reply.status, 202) << reply.body;
   EXPECT_EQ(reply.json()["kind"], "calibration");
@@ -55,7 +55,7 @@ TEST_F(Calibrations, AreRunsWithTheResultsOfTheProgram) {
     EXPECT_EQ(test::bytes_of(folder_of(id) / file), test::bytes_of(path("slope.study") / file)) << file;
 }
 
-TEST_F(Calibrations, ShowTheirFigures) {
+TEST_F(ServedCalibrations, ShowTheirFigures) {
   const std::string id = calibrate(study()).json()["id"];
   EXPECT_EQ(wait_for(id, "done")["state"], "done");
   const Json summary = get("/api/runs/" + id + "/summary").json();
@@ -73,7 +73,7 @@ TEST_F(Calibrations, ShowTheirFigures) {
   EXPECT_EQ(distribution["posterior"]["low"].back(), 1);
 }
 
-TEST_F(Calibrations, CanBeStoppedAndResumed) {
+TEST_F(ServedCalibrations, CanBeStoppedAndResumed) {
   write("slope.study.toml", "");
   std::string text = study();
   text.replace(text.find("draws = 60"), 10, "draws = 90000");
@@ -88,7 +88,7 @@ TEST_F(Calibrations, CanBeStoppedAndResumed) {
   static_cast<void>(wait_for(id, "stopped"));
 }
 
-TEST_F(Calibrations, AreRefusedWithTheSettingsAtFault) {
+TEST_F(ServedCalibrations, AreRefusedWithTheSettingsAtFault) {
   const auto path_and_text = [](const Reply& reply) {
     EXPECT_EQ(reply.status, 422) << reply.body;
     const Json problem = reply.json()["problems"][0];
@@ -113,14 +113,14 @@ TEST_F(Calibrations, AreRefusedWithTheSettingsAtFault) {
   EXPECT_EQ(calibrate(elsewhere).status, 403);
 }
 
-TEST_F(Calibrations, DoNotReplaceAStudyUnasked) {
+TEST_F(ServedCalibrations, DoNotReplaceAStudyUnasked) {
   write("slope.study.toml", "# mine\n");
   EXPECT_EQ(calibrate(study()).status, 409);
   EXPECT_EQ(read("slope.study.toml"), "# mine\n");
   EXPECT_EQ(get("/api/files").json()["files"][0]["kind"], "study") << get("/api/files").body;
 }
 
-TEST_F(Calibrations, ObservedStopsAreShownOnTheModel) {
+TEST_F(ServedCalibrations, ObservedStopsAreShownOnTheModel) {
   const Json model = post("/api/model", {{"file", "slope.toml"}, {"text", project_}}).json();
   const std::string of = "/api/models/" + model["model"]["id"].get<std::string>() + "/observed?file=";
   const Json places = get(of + "stops.csv").json()["places"];
@@ -135,7 +135,7 @@ TEST_F(Calibrations, ObservedStopsAreShownOnTheModel) {
   EXPECT_EQ(get(of + "../stops.csv").status, 403);
 }
 
-TEST_F(Calibrations, ObservedStopsAreComparedWithARun) {
+TEST_F(ServedCalibrations, ObservedStopsAreComparedWithARun) {
   const std::string id = begin(project_);
   EXPECT_EQ(wait_for(id, "done")["state"], "done");
   const Json compared = get("/api/runs/" + id + "/observed?file=stops.csv").json();
@@ -149,7 +149,7 @@ TEST_F(Calibrations, ObservedStopsAreComparedWithARun) {
   EXPECT_EQ(get("/api/runs/" + id + "/uncertainty").json()["ensembles"], 0);
 }
 
-TEST_F(Calibrations, APosteriorGivesPredictionsWithTheirUncertainty) {
+TEST_F(ServedCalibrations, APosteriorGivesPredictionsWithTheirUncertainty) {
   const std::string id = calibrate(study()).json()["id"];
   EXPECT_EQ(wait_for(id, "done")["state"], "done");
   const std::string text = project_ + "\n[sampling]\nparameters = \"runs/slope/" + id +

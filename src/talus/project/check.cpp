@@ -308,12 +308,12 @@ class Rules {
       const auto found = std::ranges::find(map_subject_names, name);
       if (found == map_subject_names.end()) continue;
       const auto place = static_cast<std::size_t>(found - map_subject_names.begin());
-      const std::string what = fmt::format("bands[{}] is \"{}\"", i, name);
       if (!banded_map_subjects[place]) {
-        report(list.get(i), "[output]", what, "counts of ensembles depend on their number of rocks",
-               "Choose \"reach_share\"");
-      } else if (!project_.output.maps[place]) {
-        report(list.get(i), "[output]", what, "maps does not list it", "Add it there");
+        report(list.get(i), "[output]", fmt::format("bands[{}] is \"{}\"", i, name),
+               "counts of ensembles depend on their number of rocks", "Choose \"reach_share\"");
+      } else if (project_.output.maps.any() && !project_.output.maps[place]) {
+        report(list.get(i), "[output]", fmt::format("bands: \"{}\" has no effect", name), "maps does not list it",
+               "Add it there", Severity::warning);
       }
     }
   }
