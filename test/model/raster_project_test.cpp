@@ -23,7 +23,7 @@ constexpr double west = 400000, north = 300100, cell = 5;
 
 double height(double x) { return 1500 - 0.5 * (x - west); }
 
-RasterSpec slope() {
+RasterSpec falling_plane() {
   RasterSpec spec;
   spec.columns = columns;
   spec.rows = rows;
@@ -87,7 +87,7 @@ std::uint32_t material_at(const Model& model, std::uint32_t column, std::uint32_
 }
 
 TEST_F(RasterProject, TrajectoriesAreAsOnTheSamePlaneOfTriangles) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   const Model raster = model(terrain_raster + rest + all_rock);
   EXPECT_EQ(warnings(), "");
   EXPECT_EQ(raster.terrain_report, "dem.tif: 40 x 20 nodes, 5 x 5 m apart, EPSG:31287, 0 without data");
@@ -109,7 +109,7 @@ TEST_F(RasterProject, TrajectoriesAreAsOnTheSamePlaneOfTriangles) {
 }
 
 TEST_F(RasterProject, CellsHaveTheMaterialOfTheirClass) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   make("ground.tif", halves());
   const Model both = model(terrain_raster + rest + from_classes);
   EXPECT_EQ(warnings(), "");
@@ -122,7 +122,7 @@ TEST_F(RasterProject, CellsHaveTheMaterialOfTheirClass) {
 }
 
 TEST_F(RasterProject, ASingleMaterialTakesNoMemory) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   make("ground.tif", halves());
   EXPECT_EQ(model(terrain_raster + rest + all_rock).ground.bytes(), 0U);
   const Model scree =
@@ -145,7 +145,7 @@ TEST_F(RasterProject, TrianglesHaveTheClassAtTheirCentre) {
 }
 
 TEST_F(RasterProject, CellsWithoutClassAreReportedAndGetTheDefault) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   RasterSpec classes = halves();
   classes.columns = 9;  // the last 20 m of the terrain are outside: the centres of 4 columns of cells
   classes.cells.resize(45);
@@ -163,7 +163,7 @@ TEST_F(RasterProject, CellsWithoutClassAreReportedAndGetTheDefault) {
 }
 
 TEST_F(RasterProject, UnusedClassesAreReported) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   make("ground.tif", halves());
   const std::string more =
       "[ground]\ndefault = \"Rock\"\nraster = \"ground.tif\"\n"
@@ -175,7 +175,7 @@ TEST_F(RasterProject, UnusedClassesAreReported) {
 }
 
 TEST_F(RasterProject, HolesOfTheTerrainNeedNoClass) {
-  RasterSpec terrain = slope();
+  RasterSpec terrain = falling_plane();
   terrain.no_data = -1;
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < 8; ++column) terrain.cells[static_cast<std::size_t>(row * columns + column)] = -1;
@@ -195,7 +195,7 @@ TEST_F(RasterProject, HolesOfTheTerrainNeedNoClass) {
 }
 
 TEST_F(RasterProject, ClassesWithoutAMaterialAreRefusedWithTheirCounts) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   RasterSpec classes = halves();
   classes.cells[0] = 7;
   classes.cells[9] = 9;
@@ -206,7 +206,7 @@ TEST_F(RasterProject, ClassesWithoutAMaterialAreRefusedWithTheirCounts) {
 }
 
 TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   RasterSpec classes = halves();
   classes.no_data = 0;
   std::fill(classes.cells.begin(), classes.cells.end(), 0);
@@ -217,7 +217,7 @@ TEST_F(RasterProject, AGroundWithoutAnyClassIsRefused) {
 }
 
 TEST_F(RasterProject, AGroundOutsideTheTerrainIsRefused) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   RasterSpec classes = halves();
   classes.geotransform = {500000, 20, 0, north, 0, -20};
   make("ground.tif", classes);
@@ -227,7 +227,7 @@ TEST_F(RasterProject, AGroundOutsideTheTerrainIsRefused) {
 }
 
 TEST_F(RasterProject, AGroundWithTooManyMaterialsIsRefused) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   make("ground.tif", halves());
   std::string many;
   for (int k = 0; k < 255; ++k) many += fmt::format("[[material]]\nname = \"{}\"\n", k);
@@ -236,7 +236,7 @@ TEST_F(RasterProject, AGroundWithTooManyMaterialsIsRefused) {
 }
 
 TEST_F(RasterProject, ErrorsInFilesAndSeedersAreReportedTogetherByLine) {
-  make("dem.tif", slope());
+  make("dem.tif", falling_plane());
   make("ground.tif", halves());
   RasterSpec classes = halves();
   classes.type = GDT_Float32;
@@ -260,7 +260,7 @@ TEST_F(RasterProject, MissingFilesAreReportedAtTheirLines) {
 }
 
 TEST_F(RasterProject, UsesTheGivenCoordinateSystemIfTheFileHasNone) {
-  RasterSpec spec = slope();
+  RasterSpec spec = falling_plane();
   spec.crs = "";
   make("dem.tif", spec);
   const auto with_crs = [&](const std::string& crs) {
@@ -275,7 +275,7 @@ TEST_F(RasterProject, UsesTheGivenCoordinateSystemIfTheFileHasNone) {
 }
 
 TEST_F(RasterProject, ATerrainInDegreesIsRefused) {
-  RasterSpec spec = slope();
+  RasterSpec spec = falling_plane();
   spec.crs = "EPSG:4326";
   spec.geotransform = {11.2, 0.0001, 0, 47.3, 0, -0.0001};
   make("dem.tif", spec);

@@ -12,6 +12,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "run/loaded_run.hpp"
 #include "support/thread_ranks.hpp"
 #include "talus/archive/table_columns.hpp"
 #include "talus/campaign/simulate.hpp"
@@ -38,12 +39,6 @@ using test::Workplace;
 constexpr int ensembles = 7;
 constexpr std::uint64_t rocks = 1200;
 
-struct LoadedRun {
-  Project project;
-  Problems warnings;
-  Model model;
-};
-
 /// The tutorial's slope in 3D with a barrier, a collector and two sources; a set of parameters for each ensemble.
 LoadedRun loaded_run(const Workplace& work, std::vector<std::string> settings = {}) {
   const std::string file = test::write_slope_with_barrier(work);
@@ -60,8 +55,8 @@ LoadedRun loaded_run(const Workplace& work, std::vector<std::string> settings = 
   return loaded;
 }
 
-RunResult run(const LoadedRun& loaded, const fs::path& folder,
-              const RunOptions& options = {.campaign = {.threads = 2}}) {
+RunResult run_with_ensembles(const LoadedRun& loaded, const fs::path& folder,
+                             const RunOptions& options = {.campaign = {.threads = 2}}) {
   return run_into(folder, loaded.project, loaded.model, loaded.warnings, options);
 }
 
@@ -123,7 +118,7 @@ TEST(EnsembleMaps, AreThePercentilesOfTheMapsOfEachEnsembleAlone) {
   if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
   const LoadedRun loaded = loaded_run(work, {"output.bands=true"});
-  run(loaded, work / "out");
+  run_with_ensembles(loaded, work / "out");
   for (int k = 0; k < ensembles; ++k) write_maps_of(loaded, static_cast<std::uint64_t>(k), work / std::to_string(k));
   for (const auto& [before, unit] : {std::pair{"reach_share", ""},
                                      {"energy_total_max", "_kJ"},
@@ -169,7 +164,7 @@ TEST(EnsembleMaps, AreThePercentilesOfTheMapsOfEachEnsembleAlone) {
 TEST(EnsembleMaps, ShowThePartOfTheParameters) {
   if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
-  run(loaded_run(work), work / "out");
+  run_with_ensembles(loaded_run(work), work / "out");
   MapFile part;
   part.name = "reach_share_parameter_part";
   int cells = 0;
@@ -185,14 +180,15 @@ TEST(EnsembleMaps, ShowThePartOfTheParameters) {
 TEST(EnsembleMaps, AreThoseOfTheBandsAlone) {
   if (!can_write_maps()) GTEST_SKIP() << "built without GDAL";
   const Workplace work;
-  run(loaded_run(work), work / "out");
+  run_with_ensembles(loaded_run(work), work / "out");
   EXPECT_TRUE(fs::exists(work / "out/maps/reach_share_low.tif"));
   EXPECT_FALSE(fs::exists(work / "out/maps/energy_total_max_low_kJ.tif"));
   EXPECT_NE(test::bytes_of(work / "out/files.json").find("maps/reach_share_high.tif"), std::string::npos);
   std::vector<std::string> names;
   for (const MapFile& map : maps_of_run(work / "out")) names.push_back(map.name);
   EXPECT_THAT(names, ::testing::Contains("reach_share_low"));
-  run(loaded_run(work, {"output.bands=[\"velocity\"]", "output.maps=[\"velocity\"]", "output.percentiles=[]"}),
+  run_with_ensembles(
+      loaded_run(work, {"output.bands=[\"velocity\"]", "output.maps=[\"velocity\"]", "output.percentiles=[]"}),
       work / "out");
   names.clear();
   for (const MapFile& map : maps_of_run(work / "out")) names.push_back(map.name);
@@ -216,12 +212,13 @@ TEST(EnsembleMaps, TakeMemoryThatIsLimited) {
   EXPECT_GT(reach, none + 7 * 2000);
   EXPECT_GT(all, reach);
   const LoadedRun loaded = loaded_run(work, {"output.bands=true"});
-  EXPECT_THROW(run(loaded, work / "out", {.campaign = {.threads = 2}, .maps_memory = (none + all) / 2}), OutOfMemory);
+  EXPECT_THROW(run_with_ensembles(loaded, work / "out", {.campaign = {.threads = 2}, .maps_memory = (none + all) / 2}),
+               OutOfMemory);
 }
 
 TEST(EnsembleRuns, NameTheEnsembleOfEachRock) {
   const Workplace work;
-  run(loaded_run(work), work / "out");
+  run_with_ensembles(loaded_run(work), work / "out");
   int ends = 0, hits = 0;
   for (TableReader<EndpointRow> row(work / "out/endpoints.csv"); row.next(); ++ends)
     EXPECT_EQ(row.get<&EndpointRow::ensemble>(), row.get<&EndpointRow::rock>() % ensembles);
@@ -233,7 +230,7 @@ TEST(EnsembleRuns, NameTheEnsembleOfEachRock) {
   Reading plain = read_project(work / "slope.toml", {{"output.report=false", "output.maps=false"}, 100, {}});
   LoadedRun alone{std::move(plain.project), std::move(plain.warnings), {}};
   alone.model = build_model(alone.project, alone.warnings);
-  run(alone, work / "alone");
+  run_with_ensembles(alone, work / "alone");
   EXPECT_FALSE(fs::exists(work / "alone/uncertainty.csv"));
   for (TableReader<EndpointRow> row(work / "alone/endpoints.csv"); row.next();)
     EXPECT_FALSE(row.get<&EndpointRow::ensemble>());
@@ -243,16 +240,16 @@ TEST(EnsembleRuns, GiveTheSameBytesHoweverTheRocksAreDivided) {
   const Workplace work;
   const LoadedRun loaded = loaded_run(work, {"output.bands=[\"reach_share\",\"energy_total\"]",
                                              "output.maps_by_source=true", "output.report=true", "output.paths=100"});
-  run(loaded, work / "whole", {.campaign = {.threads = 1}});
+  run_with_ensembles(loaded, work / "whole", {.campaign = {.threads = 1}});
   const auto whole = files_of(work / "whole");
   ASSERT_GT(whole.size(), 8U);
-  run(loaded, work / "threads", {.campaign = {.threads = 4}});
+  run_with_ensembles(loaded, work / "threads", {.campaign = {.threads = 4}});
   EXPECT_EQ(differences(whole, files_of(work / "threads")), "");
 
   MergeOptions merge{.folders = {}, .output = work / "merged"};
   for (const std::uint64_t number : {3, 1, 2}) {
     merge.folders.push_back(work / std::to_string(number));
-    run(loaded, merge.folders.back(), {.campaign = {.threads = 2}, .shard = Shard{number, 3}});
+    run_with_ensembles(loaded, merge.folders.back(), {.campaign = {.threads = 2}, .shard = Shard{number, 3}});
   }
   merge_runs(merge);
   EXPECT_EQ(differences(whole, files_of(work / "merged")), "");
@@ -268,7 +265,7 @@ TEST(EnsembleRuns, GiveTheSameBytesHoweverTheRocksAreDivided) {
       if (begin == 0) begin = std::max<std::uint64_t>(now, 1);
       if (now > begin + 300) stop = true;
     };
-    is_interrupted = run(loaded, work / "resumed", options).outcome.interrupted;
+    is_interrupted = run_with_ensembles(loaded, work / "resumed", options).outcome.interrupted;
   }
   EXPECT_GT(times, 1);
   EXPECT_EQ(differences(whole, files_of(work / "resumed")), "");
@@ -278,7 +275,7 @@ TEST(EnsembleRuns, GiveTheSameBytesHoweverTheRocksAreDivided) {
       3,
       [&](Ranks& mine) {
         options.ranks = &mine;
-        run(loaded, work / "ranks", options);
+        run_with_ensembles(loaded, work / "ranks", options);
         dismiss_ranks(mine, 0);
       },
       [&](Ranks& mine) { EXPECT_EQ(help_run(mine, loaded.project, loaded.model, loaded.warnings, {}), 0); });
@@ -294,7 +291,7 @@ TEST(EnsembleRuns, HaveBandsAlongASection) {
       {{"sampling.parameters=\"" + (work / "posterior.csv").string() + "\"", "sampling.ensembles=3"}, 300, {}});
   LoadedRun loaded{std::move(reading.project), std::move(reading.warnings), {}};
   loaded.model = build_model(loaded.project, loaded.warnings);
-  run(loaded, work / "out");
+  run_with_ensembles(loaded, work / "out");
   const std::string table = test::bytes_of(work / "out/envelopes.csv");
   EXPECT_THAT(table.substr(0, table.find('\n')),
               ::testing::HasSubstr(

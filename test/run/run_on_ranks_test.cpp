@@ -14,6 +14,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "run/loaded_run.hpp"
 #include "support/endless_slope.hpp"
 #include "support/thread_ranks.hpp"
 #include "talus/archive/run_state.hpp"
@@ -30,12 +31,6 @@ using test::differences;
 using test::files_of;
 using test::Workplace;
 using testing_tools::with_ranks;
-
-struct LoadedRun {
-  Project project;
-  Problems warnings;
-  Model model;
-};
 
 /// In 3D with a barrier, maps by source and all paths.
 LoadedRun load_run(const Workplace& work, const std::string& seed = "1") {
