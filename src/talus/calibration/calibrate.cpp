@@ -14,6 +14,7 @@
 #include "talus/calibration/reach.hpp"
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
+#include "talus/statistics/binomial.hpp"
 
 namespace talus::calibration {
 
@@ -29,6 +30,25 @@ Moments moments_of(const Eigen::VectorXd& values) {
   const double mean = values.mean();
   const auto n = static_cast<double>(values.size());
   return {mean, n > 1 ? std::sqrt((values.array() - mean).square().sum() / (n - 1)) : 0};
+}
+
+/// The observations that lie in the central 90 % of the forecast for their stratum.
+std::size_t within_90(const Sample& observed, const Sample& forecast, Index feature) {
+  constexpr double central = 0.9;
+  std::vector<std::vector<double>> values(forecast.stratum_count());
+  for (Index row = 0; row < forecast.rows.rows(); ++row) {
+    values[forecast.has_strata() ? forecast.strata[static_cast<std::size_t>(row)] : 0].push_back(
+        forecast.rows(row, feature));
+  }
+  for (auto& each : values) std::ranges::sort(each);
+  std::size_t count = 0;
+  for (Index row = 0; row < observed.rows.rows(); ++row) {
+    const auto& own = values[observed.has_strata() ? observed.strata[static_cast<std::size_t>(row)] : 0];
+    const auto [first, last] = std::ranges::equal_range(own, observed.rows(row, feature));
+    const auto below = static_cast<double>(first - own.begin()) + static_cast<double>(last - first) / 2;
+    if (std::abs(below / static_cast<double>(own.size()) - 0.5) <= central / 2) ++count;
+  }
+  return count;
 }
 
 class Calibration {
@@ -262,16 +282,18 @@ class Calibration {
       const auto count = static_cast<double>(predicted[g].rows.rows());
       if (count == 0) continue;
       held.observations += static_cast<std::size_t>(count);
-      const auto score = [&](const Sample& forecast) { return count * comparisons_[g].score(forecast, predicted[g]); };
+      const auto score = [&](const Sample& of) { return count * comparisons_[g].score(of, predicted[g]); };
       std::vector<std::size_t> wanted = rows_like(predicted[g], rows);
       const Sample shown = mixture_of(result_.sets, posterior, g, wanted);
+      for (std::size_t& each : wanted) each = each > 0 ? std::max(each, of_release) : 0;
+      const Sample forecast = mixture_of(result_.sets, posterior, g, wanted);
       for (std::size_t f = 0; f < study_.groups()[g].features.size(); ++f) {
         const auto column = static_cast<Index>(f);
         held.features.push_back({study_.groups()[g].name, study_.groups()[g].features[f],
-                                 moments_of(predicted[g].rows.col(column)), moments_of(shown.rows.col(column))});
+                                 moments_of(predicted[g].rows.col(column)), moments_of(shown.rows.col(column)),
+                                 static_cast<std::size_t>(count), within_90(predicted[g], forecast, column)});
       }
-      for (std::size_t& each : wanted) each = each > 0 ? std::max(each, of_release) : 0;
-      held.posterior += score(mixture_of(result_.sets, posterior, g, wanted));
+      held.posterior += score(forecast);
       held.prior += score(mixture_of(result_.sets, prior, g, wanted));
       if (!constant[g]) continue;
       held.constant = held.constant.value_or(0) + score(*constant[g]);
@@ -296,6 +318,27 @@ class Calibration {
 
 CalibrationResult calibrate(const PreparedStudy& study, const CalibrationOptions& options) {
   return Calibration(study, options).calibrate();
+}
+
+std::vector<HeldOutCoverage> coverage_of(const std::vector<HeldOut>& held_out) {
+  std::vector<HeldOutCoverage> all;
+  for (const HeldOut& held : held_out) {
+    for (const PredictedFeature& each : held.features) {
+      auto found = std::ranges::find_if(all, [&](const HeldOutCoverage& known) {
+        return known.group == each.group && known.feature.name == each.feature.name;
+      });
+      if (found == all.end()) found = all.insert(all.end(), {each.group, each.feature});
+      found->observations += each.observations;
+      found->within_90 += each.within_90;
+    }
+  }
+  constexpr double part = 0.9, central = 0.95;
+  for (HeldOutCoverage& each : all) {
+    const auto [least, most] = central_counts(each.observations, part, central);
+    each.least_expected = static_cast<std::size_t>(least);
+    each.most_expected = static_cast<std::size_t>(most);
+  }
+  return all;
 }
 
 bool agrees(const SetResult& set) {

@@ -75,6 +75,18 @@ struct PredictedFeature {
   std::string group;
   Feature feature;
   Moments observed, predicted;
+  std::size_t observations = 0;
+  std::size_t within_90 = 0;  // of them, in the central 90 % of what is predicted for them
+};
+
+/// How many of the observations of a feature that were held out, in all folds or sites, lie within the central 90 % of
+/// their prediction, and the central 95 % of the number expected if predictions hold what they claim and observations
+/// are independent.
+struct HeldOutCoverage {
+  std::string group;
+  Feature feature;
+  std::size_t observations = 0, within_90 = 0, least_expected = 0, most_expected = 0;
+  [[nodiscard]] bool is_too_narrow() const { return within_90 < least_expected; }
 };
 
 /// A score of predictions of observations that were held out, over the spread of the observations: of the posterior
@@ -112,6 +124,9 @@ struct CalibrationOptions {
 
 /// Throws Stopped at the request of the thread's StopScope.
 [[nodiscard]] CalibrationResult calibrate(const PreparedStudy& study, const CalibrationOptions& options = {});
+
+/// In the order of the features.
+[[nodiscard]] std::vector<HeldOutCoverage> coverage_of(const std::vector<HeldOut>& held_out);
 
 /// Whether all distances of a set are such as chance alone gives.
 [[nodiscard]] bool agrees(const SetResult& set);

@@ -130,6 +130,17 @@ class Doubts {
     }
   }
 
+  void of_predictions() {
+    for (const HeldOutCoverage& each : coverage_of(result_.held_out)) {
+      if (!each.is_too_narrow()) continue;
+      warn(each.group,
+           fmt::format("{} of {} observations that were held out lie within the central 90 % of their predicted {}",
+                       each.within_90, each.observations, each.feature.name),
+           fmt::format("expected at least {}: predictions are too narrow", each.least_expected),
+           "Let a spread vary, such as roughness_deg or the std_dev of a property, or compare models with [[model]]");
+    }
+  }
+
   void of_ends() {
     // (A rock that leaves the model is compared at the edge.)
     for (std::size_t site = 0; site < study_.sites().size(); ++site) {
@@ -181,6 +192,7 @@ void add_doubts(const PreparedStudy& study, const std::vector<GroupComparison>& 
   doubts.of_seed(comparisons);
   doubts.of_dependence();
   doubts.of_zones();
+  doubts.of_predictions();
   doubts.of_ends();
 }
 

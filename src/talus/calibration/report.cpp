@@ -223,7 +223,21 @@ class Page {
     }
     row("all", count, posterior / count, prior / count, has_constant, constant / count);
     out_ += "</table>\n";
+    coverage();
     if (study_.study().hold_out_sites) held_out_features();
+  }
+
+  void coverage() {
+    out_ +=
+        "<p>How many lie within the central 90 % of their prediction, and the number expected in 95 % of cases if "
+        "predictions hold what they claim and observations are independent.</p>\n<table><tr><th>held out</th><th></th>"
+        "<th>observations</th><th>within 90 %</th><th>expected</th></tr>\n";
+    for (const HeldOutCoverage& each : coverage_of(result_.held_out)) {
+      out_ += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} to {}</td></tr>\n",
+                          escaped(each.group), escaped(with_unit(each.feature.name, each.feature.unit)),
+                          each.observations, each.within_90, each.least_expected, each.most_expected);
+    }
+    out_ += "</table>\n";
   }
 
   void held_out_features() {

@@ -187,7 +187,8 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
                           {"observed_mean", each.observed.mean},
                           {"observed_std_dev", each.observed.std_dev},
                           {"predicted_mean", each.predicted.mean},
-                          {"predicted_std_dev", each.predicted.std_dev}});
+                          {"predicted_std_dev", each.predicted.std_dev},
+                          {"within_90", each.within_90}});
     }
     json["held_out"].push_back({{"name", held.name},
                                 {"observations", held.observations},
@@ -195,6 +196,14 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
                                 {"prior", held.prior},
                                 {"constant", held.constant ? Json(*held.constant) : Json()},
                                 {"features", std::move(features)}});
+  }
+  json["held_out_coverage"] = Json::array();
+  for (const HeldOutCoverage& each : coverage_of(result.held_out)) {
+    json["held_out_coverage"].push_back({{"observations", each.group},
+                                         {"name", each.feature.name},
+                                         {"count", each.observations},
+                                         {"within_90", each.within_90},
+                                         {"expected", {each.least_expected, each.most_expected}}});
   }
   json["warnings"] = Json::array();
   for (const Problem& problem : result.warnings.list()) json["warnings"].push_back(problem.text());
