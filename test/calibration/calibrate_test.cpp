@@ -122,6 +122,42 @@ TEST_F(Calibrations, RecoverKnownParametersAndPredict) {
     EXPECT_TRUE(held.constant.has_value());
   }
   EXPECT_LT(posterior, prior);
+  const std::vector<HeldOutCoverage> coverage = coverage_of(result.held_out);
+  ASSERT_EQ(coverage.size(), 1U);
+  EXPECT_EQ(coverage[0].feature.name, "runout");
+  EXPECT_EQ(coverage[0].observations, 40U);
+  EXPECT_FALSE(coverage[0].is_too_narrow()) << coverage[0].within_90;
+  EXPECT_EQ(result.warnings.text().find("held out lie within"), std::string::npos);
+}
+
+/// All rocks start at the same place with the same velocity on ground without spread; those that were observed do not.
+TEST_F(Calibrations, WarnOfPredictionsThatAreTooNarrow) {
+  observe(40, 0.75, 8, 19);
+  write("slope.toml", replaced(replaced(slope, "roughness_deg = 5", ""), "distribution = \"normal\", std_dev = 0.04",
+                               "distribution = \"none\""));
+  write("study.toml", R"(
+rocks = 80
+draws = 240
+folds = 4
+[[site]]
+project = "slope.toml"
+[[observations]]
+stops = "stops.csv"
+[[parameter]]
+path = "material.Scree.friction_angle_deg"
+range = [29, 31]
+)");
+  const CalibrationResult result = calibrate(prepared());
+  const std::vector<HeldOutCoverage> coverage = coverage_of(result.held_out);
+  ASSERT_EQ(coverage.size(), 1U);
+  EXPECT_TRUE(coverage[0].is_too_narrow()) << coverage[0].within_90;
+  EXPECT_EQ(coverage[0].observations, 40U);
+  EXPECT_EQ(coverage[0].least_expected, 31U);  // 2.5 % of the binomial distribution of 40 trials with 0.9
+  EXPECT_EQ(coverage[0].most_expected, 39U);
+  EXPECT_NE(result.warnings.text().find("of 40 observations that were held out lie within the central 90 % of their "
+                                        "predicted runout (expected at least"),
+            std::string::npos)
+      << result.warnings.text();
 }
 
 TEST_F(Calibrations, LearnFromValuesAtALine) {

@@ -37,6 +37,21 @@ TEST(ShareLikelihood, HasNoDistanceFromItself) {
   EXPECT_EQ(share_log_density(shares({0.25, 0.75}), 20, shares({0.25, 0.75}), 100).squared_distance, 0);
 }
 
+TEST(Summaries, OfAFewRocksFarOffHaveASmallRatioOfDeviations) {
+  Eigen::MatrixXd peak = Eigen::MatrixXd::Zero(10, 1), two_places(10, 1);
+  peak(3, 0) = 5;
+  two_places << 1, 3, 1, 3, 1, 3, 1, 3, 1, 3;
+  // Mean, logarithm of the standard deviation, median less mean, mean over root mean square deviation.
+  const Eigen::VectorXd of_peak = summaries_of(peak), of_places = summaries_of(two_places);
+  ASSERT_EQ(of_peak.size(), 4);
+  EXPECT_NEAR(of_peak[1], std::log(5 / std::sqrt(10.0)), 1e-12);
+  EXPECT_NEAR(of_peak[2], -0.5, 1e-12);
+  EXPECT_NEAR(of_peak[3], 0.6, 1e-12);  // 2 sqrt(n - 1) / n
+  EXPECT_NEAR(of_places[3], 1, 1e-12);
+  EXPECT_EQ(summaries_of(Eigen::MatrixXd::Constant(10, 1, 2.0))[3], 1);
+  EXPECT_EQ(summaries_of(peak.topRows(7)).size(), 2);
+}
+
 /// Rocks of two releases, normally distributed about 10 and 50 m.
 Sample two_releases(int rocks) {
   Sample sample;

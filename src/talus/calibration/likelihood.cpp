@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr std::uint32_t resamples = 300;
-constexpr Index least_for_spread = 2, least_for_median = 8;
+constexpr Index least_for_spread = 2, least_for_shape = 8;
 constexpr auto error_of_observation = static_cast<Stream>(1101);
 
 double median_of(VectorXd values) {
@@ -52,7 +52,7 @@ ExpectedSummaries expected_place(const MatrixXd& simulated, const MatrixXd& pool
 
 VectorXd summaries_of(const MatrixXd& rows, std::optional<Index> as_of) {
   const Index features = rows.cols(), n = as_of.value_or(rows.rows());
-  const Index kinds = 1 + (n >= least_for_spread ? 1 : 0) + (n >= least_for_median ? 1 : 0);
+  const Index kinds = 1 + (n >= least_for_spread ? 1 : 0) + (n >= least_for_shape ? 2 : 0);
   VectorXd summaries(kinds * features);
   for (Index f = 0; f < features; ++f) {
     const VectorXd column = rows.col(f);
@@ -64,7 +64,12 @@ VectorXd summaries_of(const MatrixXd& rows, std::optional<Index> as_of) {
           (column.array() - mean).square().sum() / static_cast<double>(std::max<Index>(rows.rows() - 1, 1));
       summaries[features + f] = 0.5 * std::log(std::max(variance, least_variance));
     }
-    if (n >= least_for_median) summaries[2 * features + f] = median_of(column) - mean;
+    if (n >= least_for_shape) {
+      summaries[2 * features + f] = median_of(column) - mean;
+      const Eigen::ArrayXd off = column.array() - mean;
+      const double root_mean_square = std::sqrt(off.square().mean());
+      summaries[3 * features + f] = root_mean_square > 0 ? off.abs().mean() / root_mean_square : 1;
+    }
   }
   return summaries;
 }

@@ -2,7 +2,7 @@
 // How probable observations are under a set of parameters, from simulated rocks alone: the synthetic likelihood.
 //
 // S. N. Wood, "Statistical inference for noisy nonlinear ecological dynamic systems", Nature 466 (2010) 1102-1104: the
-// observations are reduced to summaries (means, spreads, medians), whose distribution for as many rocks as were
+// observations are reduced to summaries (means, spreads, shapes), whose distribution for as many rocks as were
 // observed is taken as normal, with the mean and covariance of simulated data. Here those are of resamples, of as many
 // rocks as were observed, of the simulated rocks of the set. This is why the posterior's width follows from the number
 // of observations, and not from a threshold.
@@ -25,8 +25,11 @@ struct Feature {
   double accuracy = 0;  // standard deviation of the errors of its observation
 };
 
-/// Means of all features, then logarithms of their standard deviations (two rows or more), then distances of their
-/// medians from their means (eight or more). `as_of`: those that as many rows would have.
+/// Means of all features, then logarithms of their standard deviations (two rows or more), then of eight rows or more
+/// distances of their medians from their means, and ratios of their mean to their root mean square deviations: 0.8 for a
+/// normal distribution, less for a few rocks far from the others (R. C. Geary, "The ratio of the mean deviation to the
+/// standard deviation as a test of normality", Biometrika 27 (1935) 310-332). `as_of`: those that as many rows would
+/// have.
 [[nodiscard]] Eigen::VectorXd summaries_of(const Eigen::MatrixXd& rows, std::optional<Eigen::Index> as_of = {});
 
 /// The distribution of summaries.

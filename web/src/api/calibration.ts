@@ -96,6 +96,7 @@ export interface CalibrationSummary {
     }[];
   }[];
   held_out: { name: string; observations: number; posterior: number; prior: number; constant: number | null }[];
+  held_out_coverage?: { observations: string; name: string; count: number; within_90: number; expected: [number, number] }[];
   warnings: string[];
 }
 

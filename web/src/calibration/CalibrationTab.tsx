@@ -115,7 +115,7 @@ function PredictionChart({ run, name, feature }: { run: Run; name: string; featu
 }
 
 function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
-  const { parameters, observations, held_out: heldOut, best } = summary;
+  const { parameters, observations, held_out: heldOut, held_out_coverage: coverage = [], best } = summary;
   return (
     <div class="calibration-tables">
       <DataTable
@@ -200,6 +200,22 @@ function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
             { key: 'constant', title: 'The other observations' },
           ]}
           rows={heldOut.map((each) => [each.name, ...[each.observations, each.posterior, each.prior, each.constant].map(text)])}
+        />
+      )}
+      {coverage.length > 0 && (
+        <DataTable
+          caption="Held-out observations within the central 90 % of their prediction, and the number expected in 95 % of cases if predictions hold what they claim"
+          file={fileName(run.name, 'held-out coverage')}
+          hasHeads
+          columns={[
+            { key: 'observations', title: 'Held out', isText: true },
+            { key: 'name', title: 'Quantity', isText: true },
+            { key: 'count', title: 'Observations' },
+            { key: 'within_90', title: 'Within 90 %' },
+            { key: 'least_expected', title: 'Least expected' },
+            { key: 'most_expected', title: 'Most expected' },
+          ]}
+          rows={coverage.map((each) => [each.observations, each.name, ...[each.count, each.within_90, ...each.expected].map(text)])}
         />
       )}
     </div>
