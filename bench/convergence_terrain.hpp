@@ -111,12 +111,12 @@ inline SmoothTerrain arc_terrain() {
   return {"arc", 700, 400, ground, {10, 100}, {10, 300}, 140};
 }
 
-/// A slope that levels out, with waves of 32 m and more in length.
+/// A slope that levels out, with waves of 40 m and more in length.
 inline SmoothTerrain waves_terrain() {
   const auto ground = [](double x, double y) {
     constexpr double turn = 2 * std::numbers::pi;
     const double down = std::max(0.0, 400 - x);
-    const double waves = 0.9 * std::sin(turn * x / 40) * std::sin(turn * y / 50) + 0.5 * std::sin(turn * (x + y) / 45);
+    const double waves = 0.9 * std::sin(turn * x / 52) * std::sin(turn * y / 64) + 0.5 * std::sin(turn * (x + y) / 57);
     return 0.001 * down * down + 0.2 * down + waves;
   };
   return {"waves", 900, 400, ground, {10, 100}, {10, 300}, 250};

@@ -124,6 +124,9 @@ TEST_F(BuildEnsembles, WarnOfAMeanWhoseDistributionStays) {
             "slope.toml:15: warning: [sampling]: parameters posterior.csv:1: material.Scree.normal_restitution: is the "
             "mean of a distribution in the project (rocks of an ensemble also draw about its value). If that is meant, "
             "name the column material.Scree.normal_restitution.mean; else give the project a plain number");
+  warnings_ = {};
+  static_cast<void>(built("weight,score,material.Scree.normal_restitution\n1,0.2,0.3\n1,0.1,0.4\n"));
+  EXPECT_EQ(warnings_.text(), "") << "talus calibrate seeks means";
 }
 
 TEST_F(BuildEnsembles, ReadTablesOfOtherPrograms) {

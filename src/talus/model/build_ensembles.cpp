@@ -73,8 +73,11 @@ class SampleReader {
     if (problems_.has_errors()) throw BadInput(std::move(problems_));
   }
 
-  /// Columns with a point in their name are parameters; others but `weight` are notes, such as a score.
+  /// Columns with a point in their name are parameters; others but `weight` are notes. `talus calibrate` writes a
+  /// `score`; its values are of means where properties have distributions.
   void read_columns(const DataTable& table) {
+    is_posterior_ = std::ranges::any_of(table.columns(),
+                                        [](const std::string& name) { return plain_column_name(name) == "score"; });
     for (std::size_t k = 0; k < table.columns().size(); ++k) {
       const std::string& name = table.columns()[k];
       if (plain_column_name(name) == weight_column) {
@@ -96,7 +99,7 @@ class SampleReader {
     where.where = name;
     Problems found;
     if (auto number = SettingNumber::find(project_, name, where, found)) {
-      if (const auto distribution = number->distribution_in(project_); distribution && !name.ends_with(".mean")) {
+      if (const auto distribution = number->distribution_in(project_); distribution && !is_posterior_ && !name.ends_with(".mean")) {
         where.severity = Severity::warning;
         where.what = "is the mean of a distribution in the project";
         where.why = "rocks of an ensemble also draw about its value";
@@ -155,6 +158,7 @@ class SampleReader {
   ParameterSample sample_;
   std::vector<std::size_t> columns_;  // of the numbers
   std::optional<std::size_t> weight_;
+  bool is_posterior_ = false;
 };
 
 /// The set of each ensemble.
