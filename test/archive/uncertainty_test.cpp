@@ -60,7 +60,8 @@ TEST(Uncertainty, IsOfTheRocksAloneIfParametersAreKnown) {
 }
 
 TEST(Uncertainty, OfAShareIsBetweenItsEnsembles) {
-  const FigureUncertainty& share = figure_in(ensembles_with(20), FigureOf::share);
+  const Uncertainty all = ensembles_with(20);
+  const FigureUncertainty& share = figure_in(all, FigureOf::share);
   EXPECT_EQ(share.line, "Road");
   EXPECT_NEAR(share.total.value, 0.5, 0.06);
   EXPECT_GE(*share.total.low, 0);

@@ -26,10 +26,10 @@ struct Feature {
 };
 
 /// Means of all features, then logarithms of their standard deviations (two rows or more), then of eight rows or more
-/// distances of their medians from their means, and ratios of their mean to their root mean square deviations: 0.8 for a
-/// normal distribution, less for a few rocks far from the others (R. C. Geary, "The ratio of the mean deviation to the
-/// standard deviation as a test of normality", Biometrika 27 (1935) 310-332). `as_of`: those that as many rows would
-/// have.
+/// distances of their medians from their means, and ratios of their mean to their root mean square deviations: 0.8 for
+/// a normal distribution, less for a few rocks far from the others (R. C. Geary, "The ratio of the mean deviation to
+/// the standard deviation as a test of normality", Biometrika 27 (1935) 310-332). `as_of`: those that as many rows
+/// would have.
 [[nodiscard]] Eigen::VectorXd summaries_of(const Eigen::MatrixXd& rows, std::optional<Eigen::Index> as_of = {});
 
 /// The distribution of summaries.

@@ -99,7 +99,8 @@ class SampleReader {
     where.where = name;
     Problems found;
     if (auto number = SettingNumber::find(project_, name, where, found)) {
-      if (const auto distribution = number->distribution_in(project_); distribution && !is_posterior_ && !name.ends_with(".mean")) {
+      if (const auto distribution = number->distribution_in(project_);
+          distribution && !is_posterior_ && !name.ends_with(".mean")) {
         where.severity = Severity::warning;
         where.what = "is the mean of a distribution in the project";
         where.why = "rocks of an ensemble also draw about its value";
