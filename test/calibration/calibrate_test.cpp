@@ -151,6 +151,7 @@ range = [29, 31]
   const std::vector<HeldOutCoverage> coverage = coverage_of(result.held_out);
   ASSERT_EQ(coverage.size(), 1U);
   EXPECT_TRUE(coverage[0].is_too_narrow()) << coverage[0].within_90;
+  EXPECT_NE(result.warnings.text().find("predicted no better than with the prior"), std::string::npos);
   EXPECT_EQ(coverage[0].observations, 40U);
   EXPECT_EQ(coverage[0].least_expected, 31U);  // 2.5 % of the binomial distribution of 40 trials with 0.9
   EXPECT_EQ(coverage[0].most_expected, 39U);

@@ -61,7 +61,8 @@ class Doubts {
   void of_effort() {
     if (result_.effective_sets >= fewest_effective_sets) return;
     warn("", fmt::format("the posterior is as accurate as {:.0f} sets", result_.effective_sets),
-         fmt::format("expected at least {:g}", fewest_effective_sets), "Increase draws, or rounds");
+         fmt::format("expected at least {:g}", fewest_effective_sets),
+         "Increase rocks (their chance makes likelihoods uneven), draws, or rounds");
   }
 
   /// Compares the scores of the even and the odd rocks of the best set.
@@ -131,6 +132,16 @@ class Doubts {
   }
 
   void of_predictions() {
+    double posterior = 0, prior = 0;
+    for (const HeldOut& held : result_.held_out) {
+      posterior += static_cast<double>(held.observations) * held.posterior;
+      prior += static_cast<double>(held.observations) * held.prior;
+    }
+    if (posterior >= prior && prior > 0) {
+      warn("", "observations that were held out are predicted no better than with the prior",
+           fmt::format("the score is {:.3g} times the prior's", posterior / prior),
+           "This posterior predicts nothing; let other parameters vary, or observe more");
+    }
     for (const HeldOutCoverage& each : coverage_of(result_.held_out)) {
       if (!each.is_too_narrow()) continue;
       warn(each.group,
