@@ -13,6 +13,7 @@
 #include "calibration/slope.hpp"
 #include "talus/calibration/group_comparison.hpp"
 #include "talus/calibration/sampler.hpp"
+#include "talus/calibration/smoothed_likelihood.hpp"
 #include "talus/core/random.hpp"
 #include "talus/project/read.hpp"
 
@@ -48,6 +49,18 @@ rocks = 40
 )";
 constexpr std::uint64_t rocks_of_release = 40, observed_of_release = 6;
 
+/// Many releases, of each of which one rock is observed.
+constexpr std::uint64_t releases = 24, few_rocks = 20;
+std::string many_releases() {
+  std::string text = scree_slope;
+  for (std::uint64_t k = 0; k < releases; ++k) {
+    const double x = 2 + 1.5 * static_cast<double>(k);
+    text += "[[seeder]]\nname = \"R" + std::to_string(k) + "\"\ntype = \"point\"\nposition = [" + std::to_string(x) +
+            ", " + std::to_string(3 - x) + "]\nmass_kg = 300\nrocks = " + std::to_string(few_rocks) + "\n";
+  }
+  return text;
+}
+
 const std::vector<std::string> names{"material.Scree.tangential_restitution", "material.Scree.roughness_deg"};
 
 struct Coverage {
@@ -64,13 +77,27 @@ class Kinds : public ::testing::Test {
     return effort == nullptr ? 40 : static_cast<int>(40 * std::clamp(std::atof(effort), 1.0, 5.0));
   }
 
-  static study::PreparedSite site_with(std::uint64_t seed) {
+  static study::PreparedSite site_with(std::uint64_t seed, const std::string& project) {
     Problems warnings;
-    return {project::read_project_text(four_releases, "slope.toml", {{}, std::nullopt, seed}).project, warnings};
+    return {project::read_project_text(project, "slope.toml", {{}, std::nullopt, seed}).project, warnings};
   }
 
-  Coverage coverage(const Observe& observe, std::size_t sets = 400) {
-    const study::PreparedSite site = site_with(5);
+  /// `seeds`: of simulations, in turn; those of few rocks are off by chance, in common for all sets.
+  Coverage coverage(const Observe& observe, std::size_t sets = 400, const std::string& project = four_releases,
+                    int seeds = 1) {
+    Coverage all{std::vector<int>(names.size(), 0), std::vector<double>(names.size(), 0)};
+    for (int seed = 0; seed < seeds; ++seed) add_coverage(all, observe, sets, project, seed, seeds);
+    for (std::size_t d = 0; d < names.size(); ++d) {
+      RecordProperty("covered " + std::to_string(d), all.covered[d]);
+      RecordProperty("width " + std::to_string(d), std::to_string(all.width[d]));
+    }
+    return all;
+  }
+
+  /// Of the replicas `first`, `first + step` ...
+  void add_coverage(Coverage& all, const Observe& observe, std::size_t sets, const std::string& project, int first,
+                    int step) {
+    const study::PreparedSite site = site_with(5 + static_cast<std::uint64_t>(first), project);
     Problems problems;
     std::vector<project::SettingNumber> numbers;
     for (const std::string& name : names)
@@ -82,18 +109,18 @@ class Kinds : public ::testing::Test {
     std::vector<study::SetOutcome> outcomes(sets);
     site.run(numbers, values, {.keep_marks = true},
              [&](std::size_t k, study::SetOutcome&& outcome) { outcomes[k] = std::move(outcome); });
-    Coverage all{std::vector<int>(names.size(), 0), std::vector<double>(names.size(), 0)};
-    for (int replica = 0; replica < replicas(); ++replica) {
+    for (int replica = first; replica < replicas(); replica += step) {
       const auto item = static_cast<std::uint64_t>(replica);
       Place truth;
       for (std::uint32_t d = 0; d < names.size(); ++d)
         truth.push_back(uniform_pair(79, item, static_cast<Stream>(5100), d)[0]);
-      const ObservedGroup group = observe(site_with(2000 + item).run(numbers, values_at(truth), {.keep_marks = true}));
+      const ObservedGroup group =
+          observe(site_with(2000 + item, project).run(numbers, values_at(truth), {.keep_marks = true}));
       const GroupComparison comparison(group, 5);
       std::vector<double> likelihoods;
       for (const study::SetOutcome& outcome : outcomes)
         likelihoods.push_back(comparison.density(simulated_sample(group, outcome), group.sample).value);
-      const std::vector<double> weights = sampler.weights(likelihoods);
+      const std::vector<double> weights = sampler.weights(smoothed_likelihoods(sampler.places(), likelihoods).values);
       for (std::size_t d = 0; d < names.size(); ++d) {
         std::vector<double> own;
         for (const Place& place : sampler.places()) own.push_back(place[d]);
@@ -102,11 +129,6 @@ class Kinds : public ::testing::Test {
         all.width[d] += (high - low) / replicas();
       }
     }
-    for (std::size_t d = 0; d < names.size(); ++d) {
-      RecordProperty("covered " + std::to_string(d), all.covered[d]);
-      RecordProperty("width " + std::to_string(d), std::to_string(all.width[d]));
-    }
-    return all;
   }
 
   static void expect_calibrated(const Coverage& coverage) {
@@ -138,6 +160,25 @@ class Kinds : public ::testing::Test {
     return group;
   }
 };
+
+TEST_F(Kinds, ManyReleasesOfOneObservedRockAreCalibrated) {
+  const auto observe = [](const study::SetOutcome& outcome) {
+    ObservedGroup group;
+    group.features = {{"runout", "m", 0.01}};
+    std::vector<double> runouts;
+    for (const study::RockEnd& end : outcome.ends) {
+      group.releases.of_rock.push_back(end.seeder.index);
+      if (end.rock % few_rocks != 0) continue;
+      runouts.push_back(end.end.x());
+      group.sample.strata.push_back(end.seeder.index);
+    }
+    for (std::uint64_t k = 0; k < releases; ++k) group.releases.names.push_back("R" + std::to_string(k));
+    group.releases.origins.assign(releases, Vec2::Zero());
+    group.sample.rows = Eigen::Map<Eigen::VectorXd>(runouts.data(), static_cast<Eigen::Index>(runouts.size()));
+    return group;
+  };
+  expect_calibrated(coverage(observe, 400, many_releases(), 8));
+}
 
 TEST_F(Kinds, MatchedStopsAreCalibratedAndSayMore) {
   const Coverage matched = coverage([](const study::SetOutcome& outcome) { return stops(outcome, true); });

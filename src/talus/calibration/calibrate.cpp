@@ -12,6 +12,7 @@
 #include "talus/calibration/doubts.hpp"
 #include "talus/calibration/group_comparison.hpp"
 #include "talus/calibration/reach.hpp"
+#include "talus/calibration/smoothed_likelihood.hpp"
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/statistics/binomial.hpp"
@@ -62,15 +63,16 @@ class Calibration {
   }
 
   CalibrationResult calibrate() {
-    const auto all = static_cast<std::size_t>(study_.study().draws);
+    const auto all = static_cast<std::size_t>(study_.study().draws), most = study_.study().most_sets();
     const auto rounds = static_cast<std::size_t>(study_.study().rounds);
-    result_.sets.reserve(all);
+    result_.sets.reserve(most);
+    const std::size_t later = rounds > 1 ? all / 2 / (rounds - 1) : 0;
     for (std::size_t round = 0; round < rounds; ++round) {
-      const std::size_t later = rounds > 1 ? all / 2 / (rounds - 1) : 0;
-      const std::size_t count = round == 0 ? all - later * (rounds - 1) : later;
-      run_round(round, count);
+      run_round(round, round == 0 ? all - later * (rounds - 1) : later);
       if (round == 0) expect_reach(study_, result_.sets);
     }
+    for (std::size_t round = rounds; is_too_coarse() && result_.sets.size() < most && later > 0; ++round)
+      run_round(round, std::min(later, most - result_.sets.size()));
     weigh();
     hold_out();
     add_doubts(study_, comparisons_, result_);
@@ -94,14 +96,17 @@ class Calibration {
     for (std::size_t k = first; k < result_.sets.size(); k += sets_at_once) {
       run_batch(k, std::min(k + sets_at_once, result_.sets.size()));
     }
-    result_.misfit = misfit();
-    std::vector<double> likelihoods;
-    for (SetResult& set : result_.sets) {
+    fit_misfit();
+    for (std::size_t k = 0; k < result_.sets.size(); ++k) {
+      SetResult& set = result_.sets[k];
       set.log_likelihood = log_likelihood(set, result_.misfit);
-      likelihoods.push_back(set.log_likelihood);
+      set.smoothed_log_likelihood = smoothed_.values[k];
     }
-    sampler_.set(likelihoods);
+    result_.likelihood_noise = smoothed_.noise;
   }
+
+  /// Whether the posterior stands on too few sets.
+  [[nodiscard]] bool is_too_coarse() const { return effective_size(sampler_.weights()) < enough_effective_sets; }
 
   void run_batch(std::size_t first, std::size_t last) {
     stop_point();
@@ -133,7 +138,8 @@ class Calibration {
       options_.finished(first, {result_.sets.begin() + static_cast<std::ptrdiff_t>(first),
                                 result_.sets.begin() + static_cast<std::ptrdiff_t>(last)});
     }
-    if (options_.progress) options_.progress(last, static_cast<std::size_t>(study_.study().draws));
+    if (options_.progress)
+      options_.progress(last, std::max(static_cast<std::size_t>(study_.study().draws), result_.sets.size()));
   }
 
   /// The comparison of one group; called by several threads for different sets.
@@ -164,19 +170,36 @@ class Calibration {
   }
   [[nodiscard]] double widened(const LogDensity& density) const { return widened(density, result_.misfit); }
 
-  /// The factor by which variances of summaries are increased, so that the nearest set agrees; 1: one does.
-  [[nodiscard]] double misfit() const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const SetResult& set : result_.sets) {
-      double squared = 0;
-      for (const LogDensity& density : set.densities) squared += density.squared_distance;
-      least = std::min(least, squared);
-    }
+  /// Weighs the sets with variances of summaries that are increased by the least factor with which the posterior's
+  /// squared distance from the observations is one that chance gives. (The dispersion of a quasi-likelihood: P.
+  /// McCullagh, J. A. Nelder, "Generalized linear models", 2nd ed. (1989), section 9.2.)
+  void fit_misfit() {
     double summaries = 0;
     for (const GroupComparison& each : comparisons_) summaries += static_cast<double>(each.summary_count());
     constexpr double improbable = 0.99;
     const double most = boost::math::quantile(boost::math::chi_squared(summaries), improbable);
-    return least > most && std::isfinite(least) ? least / summaries : 1;
+    constexpr int tries = 20;
+    result_.misfit = 1;
+    for (int k = 0; k < tries; ++k) {
+      std::vector<double> likelihoods;
+      for (const SetResult& set : result_.sets) likelihoods.push_back(log_likelihood(set, result_.misfit));
+      smoothed_ = smoothed_likelihoods(sampler_.places(), likelihoods);
+      sampler_.set(smoothed_.values);
+      const double squared = squared_distance();
+      if (!(squared > most * result_.misfit)) return;
+      result_.misfit = squared / summaries;
+    }
+  }
+
+  /// Of the observed summaries from those of the posterior's sets: the mean [standard deviations, squared].
+  [[nodiscard]] double squared_distance() const {
+    const std::vector<double> weights = sampler_.weights();
+    double sum = 0;
+    for (std::size_t k = 0; k < weights.size(); ++k) {
+      if (!(weights[k] > 0)) continue;
+      for (const LogDensity& density : result_.sets[k].densities) sum += weights[k] * density.squared_distance;
+    }
+    return sum;
   }
 
   void weigh() {
@@ -270,10 +293,11 @@ class Calibration {
     return joined;
   }
 
+  /// `likelihoods`: of all sets, as they were simulated.
   void score_prediction(std::string name, const std::vector<double>& likelihoods, const std::vector<Sample>& predicted,
                         const std::vector<std::optional<Sample>>& constant) {
     constexpr std::size_t rows = 1000, of_release = 200;  // of a mixture, and of each release at least
-    const std::vector<double> posterior = sampler_.weights(likelihoods);
+    const std::vector<double> posterior = sampler_.weights(smoothed_likelihoods(sampler_.places(), likelihoods).values);
     const std::vector<double> prior = sampler_.weights(std::vector<double>(result_.sets.size(), 0));
     HeldOut held;
     held.name = std::move(name);
@@ -311,6 +335,7 @@ class Calibration {
   Sampler sampler_;
   bool keeps_marks_ = false;
   std::vector<GroupComparison> comparisons_;  // by group
+  SmoothedLikelihoods smoothed_;              // of all sets so far
   CalibrationResult result_;
 };
 

@@ -57,13 +57,14 @@ class PreparedStudy {
 struct SetResult {
   std::size_t round = 0;
   study::ParameterSet values;
-  std::vector<Sample> samples;        // by group
-  std::vector<LogDensity> densities;  // by group; without weights
-  std::vector<double> distances;      // by group: energy distance over the observed spread (group_comparison.hpp)
-  std::vector<double> chances;        // by group: the distance that chance alone gives at most, in 95 %
-  double log_likelihood = 0;          // -infinity: a line that no rock reaches
-  double score = 0;                   // mean distance over groups
-  double weight = 0;                  // in the posterior; all add up to 1
+  std::vector<Sample> samples;         // by group
+  std::vector<LogDensity> densities;   // by group; without weights
+  std::vector<double> distances;       // by group: energy distance over the observed spread (group_comparison.hpp)
+  std::vector<double> chances;         // by group: the distance that chance alone gives at most, in 95 %
+  double log_likelihood = 0;           // as simulated; -infinity: a line that no rock reaches
+  double smoothed_log_likelihood = 0;  // without the noise of the simulation (smoothed_likelihood.hpp)
+  double score = 0;                    // mean distance over groups
+  double weight = 0;                   // in the posterior; all add up to 1
 };
 
 struct Moments {
@@ -104,7 +105,9 @@ struct CalibrationResult {
   std::vector<double> thresholds;  // by group: the distance that chance alone gives the best set at most, in 95 %
   std::size_t best = 0;            // the set of least score
   double effective_sets = 0;       // of the posterior
-  /// Factor by which the variances of summaries were increased because no set reproduces the observations; 1: none.
+  double likelihood_noise = 0;     // standard deviation of log-likelihoods, by the chance of the simulation
+  /// Factor by which the variances of summaries were increased because the posterior's sets do not reproduce the
+  /// observations; 1: none.
   double misfit = 1;
   std::vector<HeldOut> held_out;
   Problems warnings;

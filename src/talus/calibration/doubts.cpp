@@ -12,7 +12,6 @@ namespace talus::calibration {
 
 namespace {
 
-constexpr double fewest_effective_sets = 40;
 constexpr double much_at_a_bound = 0.25;
 
 class Doubts {
@@ -34,7 +33,7 @@ class Doubts {
            "Let other parameters vary, or compare another model");
     }
     if (result_.misfit > 1) {
-      warn("", "no set reproduces the observed distribution",
+      warn("", "the posterior does not reproduce the observed distribution",
            fmt::format("the likelihood was widened by the factor {:.2g}, so that the posterior is not too narrow",
                        std::sqrt(result_.misfit)),
            "Compare the observed and predicted distributions in the report");
@@ -59,10 +58,10 @@ class Doubts {
   }
 
   void of_effort() {
-    if (result_.effective_sets >= fewest_effective_sets) return;
+    if (result_.effective_sets >= enough_effective_sets) return;
     warn("", fmt::format("the posterior is as accurate as {:.0f} sets", result_.effective_sets),
-         fmt::format("expected at least {:g}", fewest_effective_sets),
-         "Increase rocks (their chance makes likelihoods uneven), draws, or rounds");
+         fmt::format("expected at least {:g}", enough_effective_sets),
+         "Increase most_draws (the same command continues), or rocks (their chance makes likelihoods uneven)");
   }
 
   /// Compares the scores of the even and the odd rocks of the best set.

@@ -33,19 +33,30 @@ MatrixXd scatter_of(const MatrixXd& rows) {
   return off.transpose() * off;
 }
 
-/// Of a single rock of a release.
-ExpectedSummaries expected_place(const MatrixXd& simulated, const MatrixXd& pooled,
-                                 const std::vector<Feature>& features) {
-  constexpr double pooled_rocks = 5;  // so much the covariance of all releases counts
-  const auto n = static_cast<double>(simulated.rows());
-  ExpectedSummaries expected;
-  expected.mean = simulated.colwise().mean().transpose();
-  expected.covariance = (scatter_of(simulated) + pooled_rocks * pooled) / (n - 1 + pooled_rocks) * (1 + 1 / n);
+/// Of a single rock of a release: the density at its place if mean and covariance are known from so many simulated
+/// rocks and no better, Student's distribution (A. Gelman et al., "Bayesian data analysis", 3rd ed. (2013),
+/// section 3.6; E. Sellentin, A. F. Heavens, "Parameter inference with estimated covariance matrices", MNRAS Letters
+/// 456 (2016) L132-L136). The covariance of all releases counts like a few more rocks. The squared distance is the
+/// deviance.
+LogDensity place_log_density(const VectorXd& observed, const MatrixXd& simulated, const MatrixXd& pooled,
+                             const std::vector<Feature>& features) {
+  constexpr double pooled_rocks = 5, least_variance = 1e-16;
+  const auto n = static_cast<double>(simulated.rows()), d = static_cast<double>(observed.size());
+  const double freedom = n - 1 + pooled_rocks - (d - 1);
+  MatrixXd scale = (scatter_of(simulated) + pooled_rocks * pooled) / freedom * (1 + 1 / n);
   for (std::size_t f = 0; f < features.size(); ++f) {
     const auto at = static_cast<Index>(f);
-    expected.covariance(at, at) += features[f].accuracy * features[f].accuracy;
+    scale(at, at) += features[f].accuracy * features[f].accuracy + least_variance;
   }
-  return expected;
+  const Eigen::LDLT<MatrixXd> decomposition(scale);
+  const VectorXd off = observed - simulated.colwise().mean().transpose();
+  LogDensity density;
+  density.squared_distance = (freedom + d) * std::log1p(off.dot(decomposition.solve(off)) / freedom);
+  double log_determinant = 0;
+  for (const double each : decomposition.vectorD()) log_determinant += std::log(std::max(each, least_variance));
+  density.value = boost::math::lgamma((freedom + d) / 2) - boost::math::lgamma(freedom / 2) -
+                  0.5 * (d * std::log(freedom * std::numbers::pi) + log_determinant + density.squared_distance);
+  return density;
 }
 
 }  // namespace
@@ -149,7 +160,7 @@ LogDensity matched_log_density(const Sample& simulated, const Sample& observed, 
     if (here.rows.rows() == 0) continue;
     LogDensity density;
     if (here.rows.rows() == 1) {
-      density = log_density(here.rows.row(0).transpose(), expected_place(own[release].rows, pooled, features));
+      density = place_log_density(here.rows.row(0).transpose(), own[release].rows, pooled, features);
     } else {
       here.strata.clear();
       own[release].strata.clear();

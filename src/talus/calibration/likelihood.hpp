@@ -53,8 +53,8 @@ struct LogDensity {
 [[nodiscard]] LogDensity log_density(const Eigen::VectorXd& observed, const ExpectedSummaries& expected);
 
 /// Of observed rocks, each in the distribution of its own release: the sum over releases, which are independent of each
-/// other. The summaries of a release are those of its observed rocks; of a single one, its place itself, whose
-/// covariance is drawn towards that of all releases where few rocks were simulated. Expects two simulated rocks or more
+/// other. The summaries of a release are those of its observed rocks; of a single one, its place itself, with Student's
+/// distribution, since its mean and covariance are known from few simulated rocks. Expects two simulated rocks or more
 /// of each release.
 [[nodiscard]] LogDensity matched_log_density(const Sample& simulated, const Sample& observed,
                                              const std::vector<Feature>& features, std::uint64_t seed);

@@ -125,6 +125,7 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
   json["agreeing_sets"] = agreeing;
   json["effective_sets"] = result.effective_sets;
   json["misfit"] = result.misfit;
+  json["likelihood_noise"] = result.likelihood_noise;
   json["best"] = {{"set", result.best}, {"score", result.sets[result.best].score}, {"values", Json::object()}};
   json["best"]["settings"] = best_settings_json(study, result);
   json["parameters"] = Json::array();
@@ -238,6 +239,7 @@ std::string sets_table(const PreparedStudy& study, const CalibrationResult& resu
          << "weight"
          << "score"
          << "log_likelihood"
+         << "smoothed_log_likelihood"
          << "agrees";
   for (const study::Parameter& parameter : study.parameters()) header << std::string_view(parameter.name);
   header.end();
@@ -245,10 +247,12 @@ std::string sets_table(const PreparedStudy& study, const CalibrationResult& resu
     const SetResult& set = result.sets[k];
     CsvRow row(text);
     row << k << set.round << set.weight << set.score;
-    if (std::isfinite(set.log_likelihood)) {
-      row << set.log_likelihood;
-    } else {
-      row << "-inf";
+    for (const double value : {set.log_likelihood, set.smoothed_log_likelihood}) {
+      if (std::isfinite(value)) {
+        row << value;
+      } else {
+        row << "-inf";
+      }
     }
     row << (agrees(set) ? "yes" : "no");
     for (const double value : set.values) row << value;

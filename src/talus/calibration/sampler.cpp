@@ -28,7 +28,9 @@ std::array<double, 2> uniform(std::uint64_t seed, std::uint64_t item, SamplerDra
 }
 
 /// The least number of equally good points from which a covariance of this many dimensions is estimated.
-double least_effective_size(std::size_t dimensions) { return std::max(40.0, 10.0 * static_cast<double>(dimensions)); }
+double least_effective_size(std::size_t dimensions) {
+  return std::max(enough_effective_sets, 10.0 * static_cast<double>(dimensions));
+}
 
 constexpr double narrowest = 1e-4;  // standard deviation of a kernel, as a share of the prior
 

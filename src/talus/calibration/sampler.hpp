@@ -58,6 +58,9 @@ class Sampler {
   std::vector<Kernels> rounds_;                    // the first has no centres
 };
 
+/// With fewer a posterior's quantiles are coarse.
+inline constexpr double enough_effective_sets = 40;
+
 /// 1 over the sum of the squares of weights that add up to 1: how many equally weighted points would be as accurate.
 [[nodiscard]] double effective_size(std::span<const double> weights);
 

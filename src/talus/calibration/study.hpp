@@ -2,6 +2,7 @@
 // A calibration as given in its file, STUDY.toml: which projects, what was observed, which parameters are sought. The
 // keys are declared in study_settings.cpp, with units, ranges and meanings.
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -47,10 +48,17 @@ struct StudyModel {
 struct Study : study::StudyFile {
   std::int64_t draws = 1200;  // sets of parameters in all
   std::int64_t rounds = 3;
+  std::optional<std::int64_t>
+      most_draws;  // in further rounds, where the posterior stands on too few; three times draws
   std::int64_t folds = 0;
   bool hold_out_sites = false;
   std::vector<StudyObservations> observations;
   std::vector<StudyModel> models;  // empty: the projects as they are
+
+  /// `most_draws`, or its default.
+  [[nodiscard]] std::size_t most_sets() const {
+    return static_cast<std::size_t>(std::max(draws, most_draws.value_or(3 * draws)));
+  }
 };
 
 /// The tables of a study file, in the order of the reference.

@@ -39,6 +39,14 @@ Table head_table() {
            .range = {.least = 50, .most = most_draws, .too_low = "fewer cannot represent a posterior"},
            .meaning = "Sets of parameters in all rounds together. Half of them are in the first round.",
            .source = "Talus"},
+          {.key = "most_draws",
+           .slot = slot_of<Study>(&Study::most_draws),
+           .range = {.least = 50, .most = most_draws, .too_low = "fewer cannot represent a posterior"},
+           .without_it = "three times `draws`",
+           .meaning =
+               "Where the posterior is as accurate as fewer than 40 sets after all rounds, further rounds follow, "
+               "up to this number of sets.",
+           .source = "Talus"},
           {.key = "rounds",
            .slot = slot_of<Study>(&Study::rounds),
            .range = {.least = 1, .most = most_rounds, .too_low = "the first round draws from the prior"},

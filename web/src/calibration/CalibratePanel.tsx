@@ -18,6 +18,11 @@ const numbers: Record<StudyNumber, { title: string; usual: string; what: string 
   rocks: { title: 'Rocks', usual: '200', what: 'Rocks simulated with each set of parameters' },
   draws: { title: 'Sets', usual: '1200', what: 'Sets of parameters in all rounds; half of them in the first' },
   rounds: { title: 'Rounds', usual: '3', what: 'The first draws from the prior, later ones near what earlier ones found' },
+  most_draws: {
+    title: 'Most sets',
+    usual: '3 times Sets',
+    what: 'Further rounds follow up to this number of sets while the posterior is as accurate as fewer than 40',
+  },
   folds: { title: 'Folds', usual: '0', what: 'Parts of the observations that are predicted from the others' },
   seed: { title: 'Seed', usual: '1', what: 'Determines the sets and the draws of rocks' },
 };

@@ -24,7 +24,7 @@ export interface Sought {
   prior?: TomlTable;
 }
 /// The numbers of a study with a default of their own.
-export const studyNumbers = ['rocks', 'draws', 'rounds', 'folds', 'seed'] as const;
+export const studyNumbers = ['rocks', 'draws', 'rounds', 'most_draws', 'folds', 'seed'] as const;
 export type StudyNumber = (typeof studyNumbers)[number];
 export interface StudyForm {
   /// Without folder and ending.
