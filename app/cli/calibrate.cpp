@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,12 +14,14 @@
 #include "progress.hpp"
 #include "standard_streams.hpp"
 #include "stop_signals.hpp"
+#include "talus/calibration/best_set.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/calibration/study.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/files/csv_text.hpp"
 #include "talus/files/output_file.hpp"
+#include "talus/project/values.hpp"
 
 namespace talus::cli {
 
@@ -62,7 +65,10 @@ void print_posterior(const PreparedStudy& study, const CalibrationResult& result
     fmt::print("{:{}}  {:>10.4g} {:>10.4g} {:>10.4g}   {:>10.4g}\n", study.parameters()[k].name, longest, q(0.05),
                q(0.5), q(0.95), result.sets[result.best].values[k]);
   }
-  fmt::print("The posterior is as accurate as {:.0f} independent sets\n", result.effective_sets);
+  if (const std::string why = calibration::why_best_is_outside(study, result); !why.empty()) fmt::print("{}\n", why);
+  fmt::print("The posterior is as accurate as {}\n",
+             project::counted(static_cast<std::size_t>(std::lround(result.effective_sets)), "independent set",
+                              "independent sets"));
   if (const auto score = held_out_score(result)) {
     fmt::print("Held-out score {:.3f}; with the prior {:.3f}\n", score->posterior, score->prior);
   }
@@ -77,7 +83,10 @@ CalibrationResult run_one(const Study& study, const StudyModel* model, const std
   std::optional<Progress> progress;
   if (!options.quiet) progress.emplace(static_cast<std::uint64_t>(study.draws), "sets");
   calibration::FolderOptions how{.threads = options.threads};
-  if (progress) how.progress = [&](std::size_t done, std::size_t) { (*progress)(done); };
+  if (progress) {
+    how.progress = [&](std::size_t done, std::size_t) { (*progress)(done); };
+    how.phase = [&](const std::string& what) { progress->say(what); };
+  }
   CalibrationResult result = calibration::calibrate_into(folder, prepared, how);
   progress.reset();
   print_warnings(result.warnings);

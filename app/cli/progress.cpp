@@ -55,9 +55,25 @@ void Progress::operator()(std::uint64_t done) {
     begin_ = last_ = now;
     return;
   }
-  if (now - last_ < (on_terminal_ ? Clock::duration(100ms) : Clock::duration(10s))) return;
+  if (!is_due(now)) return;
   last_ = now;
   print(done, now);
+}
+
+bool Progress::is_due(Clock::time_point now) const {
+  return now - last_ >= (on_terminal_ ? Clock::duration(100ms) : Clock::duration(10s));
+}
+
+void Progress::say(std::string_view what) {
+  const auto now = Clock::now();
+  if (!on_terminal_ && !is_due(now)) return;
+  last_ = now;
+  if (on_terminal_) {
+    to_stderr("\r\x1b[K{}", what.substr(0, columns_of_terminal() - 1));
+  } else {
+    to_stderr("{}\n", what);
+  }
+  printed_ = true;
 }
 
 void Progress::print(std::uint64_t done, Clock::time_point now) {

@@ -15,10 +15,14 @@ class Progress {
   explicit Progress(std::uint64_t total, std::string_view kind = "rocks");
   ~Progress();
   void operator()(std::uint64_t done);
+  /// Says what is being done instead, where the remaining time is not known: at once on a terminal, elsewhere if the
+  /// last line is old.
+  void say(std::string_view what);
 
  private:
   using Clock = std::chrono::steady_clock;
   void print(std::uint64_t done, Clock::time_point now);
+  [[nodiscard]] bool is_due(Clock::time_point now) const;
 
   std::uint64_t total_;
   std::string kind_;

@@ -3,6 +3,7 @@
 
 #include "talus/calibration/calibrate.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -17,6 +18,7 @@
 #include "calibration/slope.hpp"
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
+#include "talus/calibration/best_set.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
@@ -226,6 +228,47 @@ TEST_F(Calibrations, WriteTheBestFitAsAProjectInItsPlace) {
   EXPECT_EQ(bytes_of(path("out/posterior.csv")).substr(0, header.size()), header);
 }
 
+TEST_F(Calibrations, SayWhatIsDoneAfterTheSets) {
+  observe(30, 0.7, 6, 15);
+  std::vector<std::string> said;
+  std::size_t last = 0;
+  static_cast<void>(calibrate_into(path("out"), prepared(),
+                                   {.progress = [&](std::size_t done, std::size_t) { last = done; },
+                                    .phase =
+                                        [&](const std::string& what) {
+                                          EXPECT_EQ(last, 240U);
+                                          said.push_back(what);
+                                        }}));
+  EXPECT_THAT(said, testing::ElementsAre("predicting observations that were held out: fold 1 of 3",
+                                         "predicting observations that were held out: fold 2 of 3",
+                                         "predicting observations that were held out: fold 3 of 3",
+                                         "checking the results", "writing the results"));
+}
+
+TEST_F(Calibrations, SayWhyTheBestSetIsOutsideThePosterior) {
+  observe(30, 0.7, 6, 15);
+  const PreparedStudy study = prepared();
+  CalibrationResult result;
+  for (int k = 0; k < 100; ++k) {
+    SetResult& set = result.sets.emplace_back();
+    set.values = {0.6 + 0.003 * k, 6};
+    set.weight = 0.01;
+  }
+  for (const std::size_t inside : {5u, 50u, 94u}) {
+    result.best = inside;
+    EXPECT_EQ(why_best_is_outside(study, result), "") << inside;
+  }
+  for (const std::size_t outside : {0u, 99u}) {
+    result.best = outside;
+    EXPECT_EQ(
+        why_best_is_outside(study, result),
+        "The best set lies outside the posterior's 5 to 95 % of material.Scree.tangential_restitution: it has the "
+        "least score, the distance of its rocks from the observed ones, while the posterior weights sets by their "
+        "likelihood; predict with the posterior")
+        << outside;
+  }
+}
+
 TEST_F(Calibrations, SimulateAnotherStudyAnew) {
   observe(30, 0.7, 6, 15);
   static_cast<void>(calibrate_into(path("out"), prepared(), {}));
@@ -245,6 +288,25 @@ TEST_F(Calibrations, StopIfNoObservationCanBeReached) {
                          "parameters vary, or check the observations and the releases"),
             std::string::npos)
       << refusal;
+}
+
+TEST_F(Calibrations, SayZeroWhereNoRockMoves) {
+  write("slope.toml", replaced(replaced(slope, "position = [1, 3]", "position = [1, \"surface\"]"),
+                               "horizontal_velocity_m_s = 2", ""));
+  write("stops.csv", "x_m\n27\n28\n27\n28\n27\n28\n");
+  write("study.toml",
+        replaced(replaced(study_text, "tangential_restitution", "friction_angle_deg"), "[0.6, 0.9]", "[70, 80]"));
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(calibrate(prepared())); }),
+            "study.toml: stops: no parameters within the ranges give a runout of more than 0 m; observed 27 m (no "
+            "observation is reached by any of 120 sets). Widen the ranges, let other parameters vary, or check the "
+            "observations and the releases");
+}
+
+/// The direction of runouts is then that of the simulated rocks.
+TEST_F(Calibrations, CompareStopsAtTheRelease) {
+  write("stops.csv", "x_m\n1\n1\n1\n1\n1\n1\n");
+  EXPECT_THAT(refusal_of([&] { static_cast<void>(calibrate(prepared())); }),
+              testing::HasSubstr("no parameters within the ranges give a runout of less than 4"));
 }
 
 TEST_F(Calibrations, SayWhatCannotBeReached) {

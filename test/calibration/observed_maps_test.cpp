@@ -102,7 +102,7 @@ TEST_F(ObservedMaps, RefusePlacesInAnotherSystem) {
   EXPECT_EQ(refusal_of([&] { static_cast<void>(prepared()); }),
             "seen.geojson: feature 0: (380080, 5200025) is off the terrain (on plan the terrain lies within x = 0 to "
             "300, y = 0 to 100)\n"
-            "seen.geojson: 1 of 1 observations are off the terrain (they may be in another coordinate system). Check "
+            "seen.geojson: 1 of 1 observations is off the terrain (they may be in another coordinate system). Check "
             "the coordinate systems of the file and of the terrain");
 }
 

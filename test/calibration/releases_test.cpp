@@ -73,8 +73,12 @@ TEST_F(Releases, AreRefusedIfTheyAreNotThere) {
   EXPECT_EQ(problems_of("x_m,release\n95,R3\n80,R12\n70,\n"),
             "stops.csv:3: there is no release \"R12\" (the column release names a seeder, or a row of its table). Did "
             "you mean \"R1\"?");
+  EXPECT_EQ(
+      problems_of("x_m,release\n95,R12\n80,R3\n70,R12\n71,R12\n"),
+      "stops.csv:2: there is no release \"R12\", which 2 rows name as well (the column release names a seeder, or a "
+      "row of its table). Did you mean \"R1\"?");
   EXPECT_EQ(problems_of("x_m,release\n95,R3\n80,\n"),
-            "stops.csv: 1 of 2 rocks have a release (either all or none). Put rocks of unknown releases into another "
+            "stops.csv: 1 of 2 rocks has a release (either all or none). Put rocks of unknown releases into another "
             "file, as observations of their own");
   EXPECT_EQ(problems_of("x_m,release\n95,R3\n80,Field\n"),
             "stops.csv: \"R3\" and \"Field\" are the same releases (one is a seeder, the other a row of its table). "
@@ -95,7 +99,7 @@ TEST_F(Releases, NeedSimulatedRocks) {
 TEST_F(Releases, HaveTheObservedMasses) {
   EXPECT_EQ(problems_of("x_m,release,mass_kg\n95,R3,0.9\n80,R1,300\n"), "was read");
   EXPECT_NE(
-      warnings().find("1 of 2 observed masses differ from those of their releases (the rock of \"R3\" has 0.9 kg, "
+      warnings().find("1 of 2 observed masses differs from those of their releases (the rock of \"R3\" has 0.9 kg, "
                       "its release 900 kg). Check the unit"),
       std::string::npos)
       << warnings();

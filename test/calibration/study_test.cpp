@@ -116,11 +116,11 @@ class StudyFiles : public testing_tools::InputFolder {
 TEST_F(StudyFiles, RefuseObservationsOffTheTerrain) {
   EXPECT_EQ(problems_of(small, "x_m\n90\n310\n"),
             "stops.csv:3: x = 310 is off the terrain (the section extends from x = 0 to 300)\n"
-            "stops.csv: 1 of 2 observations are off the terrain. Leave out what lies off the terrain, or extend the "
+            "stops.csv: 1 of 2 observations is off the terrain. Leave out what lies off the terrain, or extend the "
             "terrain");
   EXPECT_EQ(problems_of(small, "x_m\n2600000\n"),
             "stops.csv:2: x = 2600000 is off the terrain (the section extends from x = 0 to 300)\n"
-            "stops.csv: 1 of 1 observations are off the terrain (they may be in another coordinate system). "
+            "stops.csv: 1 of 1 observations is off the terrain (they may be in another coordinate system). "
             "Give x along the section, as its vertices have it");
 }
 
@@ -129,7 +129,7 @@ TEST_F(StudyFiles, RefuseTablesThatCannotBeRead) {
             "stops.csv:1: there is no column x_m (the columns are runout). Name the columns of the coordinates x_m and "
             "y_m, in metres");
   EXPECT_EQ(problems_of(small, "x_m,z_m\n5,0\n7\nabc,1\n"),
-            "stops.csv:3: the row has 1 values (the file has 2 columns). Numbers have a decimal point; or separate "
+            "stops.csv:3: the row has 1 value (the file has 2 columns). Numbers have a decimal point; or separate "
             "values by semicolons");
   EXPECT_EQ(problems_of(small, "x_m\n90\nabc\n"), "stops.csv:3: x_m: \"abc\" is not a number");
   EXPECT_EQ(problems_of(small, "# nothing\n"),
@@ -150,10 +150,9 @@ TEST_F(StudyFiles, RefuseRangesOutsideWhatASettingMayBe) {
 }
 
 TEST_F(StudyFiles, WarnOfParametersThatNothingDependsOn) {
-  EXPECT_EQ(
-      problems_of(replaced(small, "friction_angle_deg", "forest_height_m"), "x_m\n90\n"),
-      "study.toml:8: parameter \"material.Scree.forest_height_m\": \"material.Scree.forest_height_m\" is not given "
-      "in the project (a study varies numbers that are). Give it a value there");
+  EXPECT_EQ(problems_of(replaced(small, "friction_angle_deg", "forest_height_m"), "x_m\n90\n"),
+            "study.toml:8: parameter \"material.Scree.forest_height_m\": is not given in the project (a study varies "
+            "numbers that are). Give it a value there");
   EXPECT_EQ(problems_of(replaced(small, "material.Scree.friction_angle_deg", "analysis.max_time_s") + "", "x_m\n90\n"),
             "was read");
   EXPECT_NE(warnings().find("no rock depends on it (all rocks move the same with its smallest and its largest value). "
@@ -179,8 +178,8 @@ TEST_F(StudyFiles, RefuseColumnsInOtherUnits) {
   EXPECT_EQ(problems_of(values, "velocity_m_s,energy_kJ\n12,-3\n"),
             "stops.csv:2: energy_kJ is -3 (expected 0 or more)");
   EXPECT_EQ(problems_of(values, "velocity_m_s,energy_kJ\n12,30000\n"), "was read");
-  EXPECT_NE(warnings().find("the energies and velocities imply rocks of 4.17e+05 kg (the simulated rocks have 300 to "
-                            "300 kg). Check the units"),
+  EXPECT_NE(warnings().find("the energies and velocities imply rocks of 4.17e+05 kg (the simulated rocks have 300 kg). "
+                            "Check the units"),
             std::string::npos)
       << warnings();
   EXPECT_EQ(problems_of(replaced(values, "Road", "Bridge"), "velocity_m_s\n12\n"),
@@ -189,18 +188,62 @@ TEST_F(StudyFiles, RefuseColumnsInOtherUnits) {
 }
 
 TEST_F(StudyFiles, WarnOfColumnsThatAreNotRead) {
-  EXPECT_EQ(problems_of(small, "x_m,y_m,relase,remark\n90,3,Cliff,wet\n"), "was read");
-  EXPECT_NE(warnings().find("stops.csv:1: warning: column \"relase\" is not read. Did you mean \"release\"?\n"
+  EXPECT_EQ(problems_of(small, "x_m,y_m,release_no,remark\n90,3,7,wet\n"), "was read");
+  EXPECT_NE(warnings().find("stops.csv:1: warning: column \"release_no\" is not read. Did you mean \"release\"?\n"
                             "stops.csv:1: warning: column y_m is not read (a section has x alone)"),
             std::string::npos)
       << warnings();
   EXPECT_EQ(warnings().find("remark"), std::string::npos);
 }
 
+TEST_F(StudyFiles, RefuseFilesThatAreNotThere) {
+  const std::string lacking = replaced(replaced(small, "slope.toml", "slop.toml"), "stops.csv", "a/stop.csv");
+  EXPECT_EQ(
+      problems_of(lacking, "x_m\n90\n"),
+      "study.toml:4: site \"site 1\": project is \"slop.toml\" (there is no such file). Paths are relative to the "
+      "study file\n"
+      "study.toml:6: observations \"stop\": stops is \"a/stop.csv\" (there is no such file). Paths are relative to "
+      "the study file");
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(read_study(path("none.toml"))); }), "none.toml: there is no such file");
+}
+
+TEST_F(StudyFiles, RefuseFilesOfAnotherKind) {
+  EXPECT_EQ(refusal(two_part_slope),
+            "study.toml: this is a project (expected the study of a calibration). Name it in a study, as project of a "
+            "[[site]]");
+  EXPECT_EQ(refusal(replaced(small, "[[observations]]", "[[result]]")),
+            "study.toml: this is the study of a sensitivity analysis (expected the study of a calibration). Use talus "
+            "sensitivity");
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(project::read_project_text(small, "study.toml", {})); }),
+            "study.toml: this is the study of a calibration (expected a project). Use talus calibrate");
+}
+
+TEST_F(StudyFiles, RefuseMoreFoldsThanObservations) {
+  EXPECT_EQ(problems_of("folds = 3" + small, "x_m\n90\n80\n"),
+            "study.toml: folds is 3 (no file has more than 2 observations to divide). Use 2 at most");
+  EXPECT_EQ(problems_of("folds = 2" + small, "x_m\n90\n80\n"), "was read");
+}
+
+TEST_F(StudyFiles, RefuseMistypedColumns) {
+  const auto refused = [](const std::string& column, const std::string& meant) {
+    return "stops.csv:1: column \"" + column + "\" is not known (it would not be read, and there is no column " +
+           meant + "). Name it " + meant + ", or otherwise if it is something else";
+  };
+  EXPECT_EQ(problems_of(small, "x_m,relase,block,mas_kg\n90,Cliff,7,20\n"),
+            refused("relase", "release") + "\n" + refused("mas_kg", "mass_kg"));
+  EXPECT_EQ(problems_of(small, "x_m,Seeders\n90,Cliff\n"), refused("Seeders", "seeder"));
+  // The table has what a similar name might have meant; a stop's rock is a note.
+  EXPECT_EQ(problems_of(small, "x_m,mass_kg,mase_kg,rock_nr\n90,300,1,2\n"), "was read");
+  const std::string marks = replaced(small, "stops = ", "marks = ");
+  EXPECT_EQ(problems_of(marks, "x_m,rock_nr\n90,1\n"), refused("rock_nr", "rock_id"));
+  const std::string values = replaced(small, "stops = \"stops.csv\"", "values = \"stops.csv\"\nat = \"Road\"");
+  EXPECT_EQ(problems_of(values, "velocity_m_s,energi_kJ\n12,9\n"), refused("energi_kJ", "energy_kJ"));
+}
+
 TEST_F(StudyFiles, WarnOfStopsAboveTheGround) {
   EXPECT_EQ(problems_of(small, "x_m,z_m\n90,-40\n91,-43.9\n92,-44\n93,-44\n94,-44\n95,-44\n"), "was read");
   EXPECT_EQ(warnings(),
-            "stops.csv: warning: 1 of 6 observed stops are more than 1 m above or below the terrain (up to 3.8 m). "
+            "stops.csv: warning: 1 of 6 observed stops is more than 1 m above or below the terrain (up to 3.8 m). "
             "Compare their heights and coordinates with the terrain");
 }
 

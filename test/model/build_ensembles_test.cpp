@@ -9,6 +9,7 @@
 #include <string>
 
 #include "support/input_folder.hpp"
+#include "support/projects.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/model/fingerprint.hpp"
 #include "talus/model/model.hpp"
@@ -129,6 +130,60 @@ TEST_F(BuildEnsembles, WarnOfAMeanWhoseDistributionStays) {
   EXPECT_EQ(warnings_.text(), "") << "talus calibrate seeks means";
 }
 
+const std::string two_sites =
+    "weight,score,material.Scree.normal_restitution@half A,material.Scree.normal_restitution@half B,"
+    "material.Scree.friction_angle_deg\n1,0.1,0.3,0.5,25\n1,0.2,0.3,0.5,25\n";
+
+TEST_F(BuildEnsembles, TakeTheColumnsOfTheirSite) {
+  const auto of_site = [&](const std::string& site) {
+    return built(two_sites, "ensembles = 10\nparameters_site = \"" + site + "\"\n").drawn_parameters.front();
+  };
+  EXPECT_EQ(of_site("half A"), (std::vector{0.3, 25.0}));
+  const Model model = built(two_sites, "ensembles = 10\nparameters_site = \"half B\"\n");
+  EXPECT_EQ(model.drawn_parameters.front(), (std::vector{0.5, 25.0}));
+  EXPECT_EQ(model.uncertain,
+            (std::vector<std::string>{"material.Scree.normal_restitution", "material.Scree.friction_angle_deg"}));
+}
+
+TEST_F(BuildEnsembles, TakeTheOnlyColumnsThatFit) {
+  // The project has no ground "Rock".
+  EXPECT_EQ(built("weight,score,material.Rock.normal_restitution@north,material.Scree.normal_restitution@south,"
+                  "material.Scree.friction_angle_deg@north@south\n1,0.1,0.3,0.5,25\n")
+                .drawn_parameters.front(),
+            (std::vector{0.5, 25.0}));
+  EXPECT_EQ(built("score,material.Scree.normal_restitution@south\n1,0.5\n").drawn_parameters.front(), std::vector{0.5});
+}
+
+TEST_F(BuildEnsembles, TakeNamesOfMaterialsWithAnAt) {
+  write("posterior.csv", "score,material.a@b.friction_angle_deg@south@north\n1,31\n");
+  write("slope.toml", testing_tools::replaced(scree, "\"Scree\"", "\"a@b\"") +
+                          "[sampling]\nparameters = \"posterior.csv\"\nparameters_site = \"north\"\n");
+  const Reading reading = read_project(path("slope.toml"), {});
+  EXPECT_EQ(build_model(reading.project, warnings_).drawn_parameters.front(), std::vector{31.0});
+}
+
+TEST_F(BuildEnsembles, RefuseColumnsOfUnclearSites) {
+  EXPECT_EQ(
+      refusal(two_sites),
+      "slope.toml:15: [sampling]: parameters posterior.csv:1: has columns of the sites \"half A\", \"half B\" (it "
+      "is not clear which one the project is). Write parameters_site = \"half A\" in [sampling]");
+  const auto with_site = [&](const std::string& sample) {
+    return refusal_of([&] { static_cast<void>(built(sample, "parameters_site = \"half C\"\n")); });
+  };
+  EXPECT_EQ(
+      with_site(two_sites),
+      "slope.toml: [sampling]: parameters_site is \"half C\" (posterior.csv has columns of \"half A\", \"half B\"). "
+      "Did you mean \"half A\"?");
+  EXPECT_EQ(
+      with_site(two_sets),
+      "slope.toml: [sampling]: parameters_site is \"half C\" (the columns of posterior.csv are those of all sites). "
+      "Leave it out");
+  EXPECT_EQ(
+      refusal("wieght,material.Scree.normal_restitution\n1,0.3\n"),
+      "slope.toml:15: [sampling]: parameters posterior.csv:1: column \"wieght\" is not known (it would not be read, "
+      "and there is no column weight). Name it weight, or otherwise if it is something else");
+}
+
 TEST_F(BuildEnsembles, ReadTablesOfOtherPrograms) {
   const Model model = built("\xEF\xBB\xBFWeight;material.Scree.friction_angle_deg\r\n0;20\r\n\r\n2,5;30,5\r\n");
   EXPECT_EQ(model.drawn_parameters, std::vector(10, std::vector{30.5}));
@@ -139,11 +194,9 @@ const std::string at = "slope.toml:15: [sampling]: parameters posterior.csv";
 TEST_F(BuildEnsembles, RefuseABadSample) {
   EXPECT_EQ(refusal("weight,material.Screes.normal_restitution,material.Scree.restitution\n1,0.3,1\n"),
             at +
-                ":1: material.Screes.normal_restitution: \"material.Screes.normal_restitution\" names no [[material]] "
+                ":1: material.Screes.normal_restitution: names no [[material]] "
                 "(the project has \"Scree\"). Use a name, a number from 0, or * for all\n" +
-                at +
-                ":1: material.Scree.restitution: \"material.Scree.restitution\": [[material]] has no key "
-                "restitution");
+                at + ":1: material.Scree.restitution: is no setting ([[material]] has no key restitution)");
   EXPECT_EQ(refusal("weight,material.Scree.normal_restitution\n1,0.3\n-2,0.3\n1,1.3\n"),
             at + ":3: weight is -2 (a weight is not negative)\n" + at +
                 ":4: material.Scree.normal_restitution is 1.3; expected 0 to 1");
@@ -198,7 +251,7 @@ TEST_F(BuildEnsembles, RefuseAMissingFile) {
   write("slope.toml", scree + "[sampling]\nparameters = \"none.csv\"\n");
   const Reading reading = read_project(path("slope.toml"), {});
   EXPECT_THAT(refusal_of([&] { static_cast<void>(build_model(reading.project, warnings_)); }),
-              ::testing::HasSubstr("there is no file"));
+              ::testing::HasSubstr("there is no such file"));
 }
 
 }  // namespace

@@ -177,7 +177,8 @@ TEST(DoubtfulReleases, AreFarAboveTheGround) {
   EXPECT_EQ(problems_of_model(plane + std::string("position = [20, 10, 350]\n")), "");
   EXPECT_EQ(problems_of_model(plane + std::string("position = [20, 10, 2090]\n")),
             "warning: seeder \"Crest\": a rock starts 2000 m above the ground (z is an elevation in the coordinate "
-            "system of the terrain). Use z = \"surface\" on the ground, height_above_m above it");
+            "system of the terrain). Compare z with the terrain; z = \"surface\" starts on the ground, height_above_m "
+            "above it");
 }
 
 TEST(DoubtfulReleases, AreInTheGround) {
@@ -189,13 +190,14 @@ TEST(DoubtfulReleases, AreInTheGround) {
   EXPECT_EQ(warning("position = [20, 10, 91]\n"), "");
   EXPECT_EQ(warning("position = [20, 10, \"surface\"]\n"), "");
   EXPECT_EQ(warning("position = [20, 10, 80]\n"),
-            "warning: seeders: 10 of 10 rocks start in the ground (a run lifts them onto the surface, or lowers them "
-            "from a ceiling). Compare their z with the terrain, or use z = \"surface\"");
+            "warning: seeder \"Crest\": 10 of 10 rocks start in the ground (a run lifts them onto the surface, or "
+            "lowers them from a ceiling). Compare z with the terrain; z = \"surface\" starts on the ground, "
+            "height_above_m above it");
   // Half of a level line is in the ground: five of ten strata.
   EXPECT_EQ(
       warning("type = \"line\"\npoints = [[0, 10, 50], [199, 10, 50]]\n[sampling]\nmethod = \"latin_hypercube\"\n")
-          .substr(0, 29),
-      "warning: seeders: 5 of 10 roc");
+          .substr(0, 32),
+      "warning: seeder \"Crest\": 5 of 10");
   EXPECT_NE(warning("position = [20, 10, 80]\n[[seeder]]\nname = \"Many\"\nmass_kg = 10\nrocks = 1000000\n"
                     "position = [20, 10, 91]\n")
                 .size(),

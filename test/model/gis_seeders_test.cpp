@@ -400,7 +400,7 @@ TEST_F(GisSeeders, MasksThatSelectNothingAreRefused) {
       "slope.toml:5: seeder \"Cliffs\": mask \"release.tif\" does not reach the terrain (the terrain lies within x = "
       "1757002.5 to 1757297.5, y = 5917002.5 to 5917197.5). Check its extent and coordinate system with gdalinfo");
   EXPECT_EQ(refusal(head + "type = \"raster\"\nmask = \"none.tif\"\n"),
-            "slope.toml:9: seeder \"Cliffs\": mask is \"none.tif\" (there is no file none.tif). The path is relative "
+            "slope.toml:9: seeder \"Cliffs\": mask is \"none.tif\" (there is no such file). The path is relative "
             "to the project file");
 }
 

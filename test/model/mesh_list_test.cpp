@@ -97,7 +97,7 @@ TEST_F(MeshList, ReportsProblemsOfAllItsFiles) {
               HasSubstr("mesh[4] is 5 (expected a text in quotes)"));
   const std::string wrong = refusal(text("mesh = [\"upper.obj\", \"upper.obj\", \"a.stl\", \"b.tif\"]"));
   EXPECT_THAT(wrong, HasSubstr("slope.toml:2: [terrain]: mesh[1] is \"upper.obj\" (it is listed twice). Leave it out"));
-  EXPECT_THAT(wrong, HasSubstr("slope.toml:2: [terrain]: mesh[2] is \"a.stl\" (there is no file a.stl)"));
+  EXPECT_THAT(wrong, HasSubstr("slope.toml:2: [terrain]: mesh[2] is \"a.stl\" (there is no such file)"));
   EXPECT_THAT(wrong,
               HasSubstr("slope.toml:2: [terrain]: mesh[3] is \"b.tif\" (expected a file that ends in .obj, .stl or "
                         ".ply)"));

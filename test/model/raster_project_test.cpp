@@ -253,9 +253,9 @@ TEST_F(RasterProject, ErrorsInFilesAndSeedersAreReportedTogetherByLine) {
 
 TEST_F(RasterProject, MissingFilesAreReportedAtTheirLines) {
   EXPECT_EQ(refusal(terrain_raster + rest + from_classes),
-            "slope.toml:2: [terrain]: raster is \"dem.tif\" (there is no file dem.tif). The path is relative to the "
+            "slope.toml:2: [terrain]: raster is \"dem.tif\" (there is no such file). The path is relative to the "
             "project file\n"
-            "slope.toml:17: [ground]: raster is \"ground.tif\" (there is no file ground.tif). The path is relative to "
+            "slope.toml:17: [ground]: raster is \"ground.tif\" (there is no such file). The path is relative to "
             "the project file");
 }
 

@@ -145,11 +145,10 @@ TEST_F(RefusedMesh, InDegrees) {
 TEST_F(RefusedMesh, ThatIsAFolderOrAPipe) {
   std::filesystem::create_directories(folder_ / "dir.obj");
   ASSERT_EQ(::mkfifo((folder_ / "pipe.obj").c_str(), 0600), 0);
-  EXPECT_EQ(
-      refusal("mesh = \"dir.obj\""),
-      "slope.toml:2: [terrain]: mesh is \"dir.obj\" (dir.obj is a folder). The path is relative to the project file");
+  EXPECT_EQ(refusal("mesh = \"dir.obj\""),
+            "slope.toml:2: [terrain]: mesh is \"dir.obj\" (it is a folder). The path is relative to the project file");
   EXPECT_EQ(refusal("mesh = \"pipe.obj\""),
-            "slope.toml:2: [terrain]: mesh is \"pipe.obj\" (pipe.obj is not an ordinary file). The path is relative to "
+            "slope.toml:2: [terrain]: mesh is \"pipe.obj\" (it is not an ordinary file). The path is relative to "
             "the project file");
 }
 

@@ -8,6 +8,7 @@
 
 #include "support/input_folder.hpp"
 #include "talus/campaign/simulate.hpp"
+#include "talus/model/check_releases.hpp"
 #include "talus/model/fingerprint.hpp"
 #include "talus/model/model.hpp"
 #include "talus/model/release_columns.hpp"
@@ -121,6 +122,32 @@ TEST_F(ReleaseTableFiles, HaveHeightsAboveTheGround) {
   EXPECT_NEAR(rocks[3].position.z(), 5, 1e-12);  // lifted out of the ground
   EXPECT_TRUE(Simulator(built).simulate(3, false).was_lifted);
   EXPECT_FALSE(Simulator(built).simulate(2, false).was_lifted);
+}
+
+TEST_F(ReleaseTableFiles, SayWhichRowsAreInTheGround) {
+  const auto warning = [&](const std::string& rows) {
+    const Model built = model(rows, slope + "mass_kg = 100\n");
+    Problems found;
+    warn_of_buried_releases(built, found);
+    return found.text();
+  };
+  const std::string why =
+      " (a run lifts them onto the surface, or lowers them from a ceiling). Compare z_m with the "
+      "terrain; leave it empty to start on the ground, or give height_above_m instead";
+  EXPECT_EQ(warning("x_m,y_m,z_m\n50,50,9\n50,50,5\n"), "");
+  EXPECT_EQ(warning("x_m,y_m,z_m\n50,50,9\n50,50,1\n"),
+            "warning: seeder \"Runs\": 1 of 2 rocks starts in the ground, from row 2" + why);
+  EXPECT_EQ(warning("x_m,y_m,z_m,name\n50,50,1,B7\n50,50,9,B8\n50,50,1,\n"),
+            "warning: seeder \"Runs\": 2 of 3 rocks start in the ground, from rows \"B7\", 3" + why);
+  std::string many = "x_m,y_m,z_m\n";
+  for (int k = 0; k < 8; ++k) many += "50,50,1\n";
+  EXPECT_EQ(warning(many),
+            "warning: seeder \"Runs\": 8 of 8 rocks start in the ground, from rows 1, 2, 3, 4, 5 and 3 more" + why);
+  static_cast<void>(model("x_m,y_m,z_m,name\n50,50,9,A\n50,50,3000,B\n", slope + "mass_kg = 100\n"));
+  EXPECT_EQ(warnings(),
+            "warning: seeder \"Runs\": a rock of row \"B\" starts 2995 m above the ground (z is an elevation in "
+            "the coordinate system of the terrain). Compare z_m with the terrain; leave it empty to start on "
+            "the ground, or give height_above_m instead");
 }
 
 TEST_F(ReleaseTableFiles, HaveDirections) {
@@ -249,10 +276,20 @@ TEST_F(ReleaseTableFiles, RefuseRowsThatAreNoRelease) {
                 "100, y = 0 to 100)"));
 }
 
+TEST_F(ReleaseTableFiles, RefuseMistypedNames) {
+  EXPECT_THAT(
+      refusal("x_m,y_m,mass_kg,densty_kg_m3\n50,50,10,2500\n"),
+      HasSubstr("table releases.csv: column \"densty_kg_m3\" is not known (it would not be read, and there is no "
+                "column density_kg_m3). Name it density_kg_m3, or otherwise if it is something else"));
+  // Other words and numbers mean something else: a warning.
+  static_cast<void>(model("x_m,y_m,mass_kg,diameter_a_m,remrk\n50,50,10,1,2\n", slope));
+  EXPECT_THAT(warnings(), HasSubstr("columns are not used: diameter_a_m (diameter_m) (the names in brackets"));
+}
+
 TEST_F(ReleaseTableFiles, WarnOfDoubtfulNumbersAndNames) {
-  static_cast<void>(model("x_m,y_m,mass_kg,densty_kg_m3\n50,50,1e8,2500\n50,50,2e8,2500\n", slope));
-  EXPECT_THAT(warnings(), HasSubstr("columns are not used: densty_kg_m3 (density_kg_m3)"));
-  EXPECT_THAT(warnings(), HasSubstr("mass_kg is 100000000 (line 2, and 1 other rows)"));
+  static_cast<void>(model("x_m,y_m,mass_kg,v_m_s\n50,50,1e8,2500\n50,50,2e8,2500\n", slope));
+  EXPECT_THAT(warnings(), HasSubstr("columns are not used: v_m_s (vx_m_s)"));
+  EXPECT_THAT(warnings(), HasSubstr("mass_kg is 100000000 (line 2, and 1 other row)"));
 }
 
 TEST_F(ReleaseTableFiles, AreBesideTheProject) {
@@ -260,7 +297,7 @@ TEST_F(ReleaseTableFiles, AreBesideTheProject) {
                 write("slope.toml", slope + "mass_kg = 100\n");
                 static_cast<void>(read_project(path("slope.toml")));
               }),
-              HasSubstr("slope.toml:9: seeder \"Runs\": table is \"releases.csv\" (there is no file releases.csv)"));
+              HasSubstr("slope.toml:9: seeder \"Runs\": table is \"releases.csv\" (there is no such file)"));
   std::filesystem::create_symlink("/etc/passwd", path("releases.csv"));
   EXPECT_THAT(refusal_of([&] { static_cast<void>(read_project(path("slope.toml"))); }),
               HasSubstr("it is a link to outside the project's folder; name /etc/passwd itself"));

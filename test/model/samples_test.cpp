@@ -116,7 +116,7 @@ TEST_F(Samples, RefuseFilesWithoutAValue) {
   std::filesystem::remove(path("m.csv"));
   EXPECT_THAT(
       refusal(project),
-      HasSubstr("slope.toml:9: seeder \"Crest\": mass_kg file is \"m.csv\" (there is no file m.csv). The path is "
+      HasSubstr("slope.toml:9: seeder \"Crest\": mass_kg file is \"m.csv\" (there is no such file). The path is "
                 "relative to the project file"));
   write("m.gpkg", "");
   EXPECT_THAT(

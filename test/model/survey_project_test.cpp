@@ -73,7 +73,8 @@ const std::vector<BadTerrain> bad_terrains{
     {"NegativeLength", "points = \"p.csv\"\nmax_edge_m = -5",
      "slope.toml:3: [terrain]: max_edge_m is -5 (expected more than 0, up to 1e9)"},
     {"MergedSurvey", "points = \"p.csv\"\nmerge_tolerance_m = 0.5",
-     "slope.toml:3: [terrain]: merge_tolerance_m is given without polylines or polygons or mesh (it would have no effect)"},
+     "slope.toml:3: [terrain]: merge_tolerance_m is given without polylines or polygons or mesh (it would have no "
+     "effect)"},
     {"LayerOfPolylines", "points = \"p.csv\"\npolygons_layer = \"faces\"",
      "slope.toml:3: [terrain]: polygons_layer is given without polygons (it would have no effect)"},
     {"RotatedSurvey", "points = \"p.csv\"\nrotate_deg = 30",
@@ -251,11 +252,11 @@ TEST_F(SurveyProject, RefusesPolylinesThatCrossThemselves) {
 TEST_F(SurveyProject, RefusesMissingFiles) {
   EXPECT_EQ(
       refusal("[terrain]\npoints = \"p.csv\"\nlines = \"l.gpkg\"\nboundary = \"b.gpkg\"\n" + tables_after_terrain),
-      "slope.toml:2: [terrain]: points is \"p.csv\" (there is no file p.csv). The path is relative to the "
+      "slope.toml:2: [terrain]: points is \"p.csv\" (there is no such file). The path is relative to the "
       "project file\n"
-      "slope.toml:3: [terrain]: lines is \"l.gpkg\" (there is no file l.gpkg). The path is relative to the "
+      "slope.toml:3: [terrain]: lines is \"l.gpkg\" (there is no such file). The path is relative to the "
       "project file\n"
-      "slope.toml:4: [terrain]: boundary is \"b.gpkg\" (there is no file b.gpkg). The path is relative to the "
+      "slope.toml:4: [terrain]: boundary is \"b.gpkg\" (there is no such file). The path is relative to the "
       "project file");
 }
 

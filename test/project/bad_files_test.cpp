@@ -82,7 +82,7 @@ TEST_F(BadProjectFile, NamesAMeshThatIsNotThere) {
   const std::filesystem::path file =
       written(changed(in_3d({{section, "mesh = \"bowl.obj\""}, {segments, R"(default = "Rock")"}})));
   EXPECT_EQ(message(file),
-            "slope.toml:7: [terrain]: mesh is \"bowl.obj\" (there is no file bowl.obj). The path is "
+            "slope.toml:7: [terrain]: mesh is \"bowl.obj\" (there is no such file). The path is "
             "relative to the project file");
   write("bowl.obj", "v 0 0 0\n");
   EXPECT_EQ(message(file), "was read");

@@ -54,6 +54,17 @@ TEST(ElementaryEffects, AreTheSlopesOfTheFunction) {
   EXPECT_EQ(effects[3]->count, 12u);
 }
 
+// A sum in another order differs in its last digits.
+TEST(ElementaryEffects, AreZeroWhereResultsDifferByRounding) {
+  const MorrisDesign design({.inputs = 2, .trajectories = 12, .seed = 7});
+  const auto effects = design.effects(
+      results_of(design.points(), [](const auto& u) { return 80 + u[0] + 1e-12 * std::sin(9 * u[1]); }), {});
+  EXPECT_NEAR(effects[0]->magnitude.value, 1, 1e-9);
+  EXPECT_EQ(effects[1]->magnitude.value, 0);
+  EXPECT_EQ(*effects[1]->magnitude.low, 0);
+  EXPECT_EQ(*effects[1]->magnitude.high, 0);
+}
+
 TEST(ElementaryEffects, RankInputsAsTheTotalIndices) {
   const SobolG f{.a = {0, 1, 9, 99}};
   const MorrisDesign design({.inputs = 4, .trajectories = 100, .seed = 1});

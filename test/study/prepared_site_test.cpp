@@ -92,10 +92,13 @@ TEST(SettingNumber, RefusesWhatCannotBeVaried) {
             "study.toml:3: \"material.Scre.normal_restitution\" names no [[material]] (the project has \"Scree\", "
             "\"Meadow 1.5\"). Use a name, a number from 0, or * for all");
   EXPECT_EQ(refusal_of("material.Scree.normal_restitutoin"),
-            "study.toml:3: \"material.Scree.normal_restitutoin\": [[material]] has no key normal_restitutoin. Did you "
-            "mean normal_restitution?");
+            "study.toml:3: \"material.Scree.normal_restitutoin\" is no setting ([[material]] has no key "
+            "normal_restitutoin). Did you mean normal_restitution?");
   EXPECT_EQ(refusal_of("terrain.width_m"),
             "study.toml:3: \"terrain.width_m\" cannot be varied (a study varies numbers of [[material]] and "
+            "[analysis], sizes and velocities of [[seeder]], and capacity_kJ of [[barrier]])");
+  EXPECT_EQ(refusal_of("analysis.max_steps"),
+            "study.toml:3: \"analysis.max_steps\" cannot be varied (a study varies numbers of [[material]] and "
             "[analysis], sizes and velocities of [[seeder]], and capacity_kJ of [[barrier]])");
   EXPECT_EQ(refusal_of("seeder.0.volume_m3"),
             "study.toml:3: \"seeder.0.volume_m3\" is not given in the project (a study varies numbers that are). Give "

@@ -37,6 +37,7 @@ Json head_of(const RunDescription& description) {
   Json json;
   json["name"] = description.name;
   json["fingerprint"] = description.fingerprint;
+  json["paths_revision"] = description.paths_revision;
   json["sample"] = description.sample;
   json["rocks"] = description.rocks;
   json["barriers"] = description.barriers;
@@ -92,6 +93,7 @@ RunDescription read(const Json& json) {
   RunDescription description;
   json.at("name").get_to(description.name);
   json.at("fingerprint").get_to(description.fingerprint);
+  description.paths_revision = json.value("paths_revision", std::uint64_t{0});
   json.at("sample").get_to(description.sample);
   json.at("rocks").get_to(description.rocks);
   json.at("barriers").get_to(description.barriers);

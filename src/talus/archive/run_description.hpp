@@ -24,7 +24,8 @@ struct MapPlan {
 
 struct RunDescription {
   std::string name;
-  std::string fingerprint;  // of all inputs of the results
+  std::string fingerprint;           // of all inputs of the results
+  std::uint64_t paths_revision = 0;  // campaign/paths_revision.hpp; 0: of a program without
   /// Hash of some trajectories: machines or builds of the program with the same hash compute the same bits.
   std::string sample;
   std::uint64_t rocks = 0;            // of the whole campaign

@@ -148,7 +148,10 @@ struct SourceRocks {
 struct RunIdentity {
   struct Program {
     std::string version{};
-    static auto fields() { return std::tuple(field("version", &Program::version)); }
+    std::optional<std::uint64_t> paths_revision{};  // campaign/paths_revision.hpp; nullopt: of a program without
+    static auto fields() {
+      return std::tuple(field("version", &Program::version), field_if_any("paths_revision", &Program::paths_revision));
+    }
   };
   struct Rocks {
     std::uint64_t planned = 0, done = 0, lifted = 0;  // planned: of the whole campaign

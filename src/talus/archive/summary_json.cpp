@@ -93,7 +93,7 @@ void add_rocks_in_tables(const RunDescription& description, const RunCourse& cou
 RunSummary run_summary(const RunDescription& description, const Summary& sums, const RunCourse& course) {
   const Json& model = description.model;
   RunSummary summary;
-  summary.talus.version = TALUS_VERSION;
+  summary.talus = {TALUS_VERSION, description.paths_revision};
   summary.name = description.name;
   summary.fingerprint = description.fingerprint;
   summary.seed = part_of<std::uint64_t>(model.at("seed"), "seed");

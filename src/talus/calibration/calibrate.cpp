@@ -75,11 +75,16 @@ class Calibration {
       run_round(round, std::min(later, most - result_.sets.size()));
     weigh();
     hold_out();
+    say("checking the results");
     add_doubts(study_, comparisons_, result_);
     return std::move(result_);
   }
 
  private:
+  void say(const std::string& what) const {
+    if (options_.phase) options_.phase(what);
+  }
+
   void run_round(std::size_t round, std::size_t count) {
     const std::vector<Place> places = sampler_.next_round(count);
     const std::size_t first = result_.sets.size();
@@ -236,6 +241,7 @@ class Calibration {
 
   void hold_out_fold(std::int64_t fold) {
     stop_point();
+    say(fmt::format("predicting observations that were held out: fold {} of {}", fold + 1, study_.study().folds));
     std::vector<Sample> learned, predicted;
     for (std::size_t g = 0; g < study_.groups().size(); ++g) {
       const auto [train, test] = split(g, fold);
@@ -259,6 +265,7 @@ class Calibration {
   }
 
   void hold_out_site(std::size_t site) {
+    say(fmt::format("predicting observations that were held out: site {} of {}", site + 1, study_.sites().size()));
     std::vector<Sample> predicted;
     std::vector<std::optional<Sample>> constant;
     for (const ObservedGroup& group : study_.groups()) {

@@ -44,6 +44,7 @@ class PreparedStudy {
   [[nodiscard]] const std::string& fingerprint() const { return fingerprint_; }
 
  private:
+  void check_folds() const;
   void check_dependence(Problems& warnings) const;
 
   Study study_;
@@ -117,6 +118,8 @@ struct CalibrationOptions {
   int threads = 0;  // 0: as many as there are cores
   /// Called with the number of sets done and of all sets; by one thread at a time.
   std::function<void(std::size_t done, std::size_t all)> progress{};
+  /// Called after all sets, with what is done next.
+  std::function<void(const std::string& what)> phase{};
   /// Returns the samples of a set that an earlier calibration has simulated.
   std::function<std::optional<std::vector<Sample>>(std::size_t set)> known{};
   /// Called with sets that are finished, in their order.

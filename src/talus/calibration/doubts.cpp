@@ -7,10 +7,13 @@
 
 #include "talus/calibration/reach.hpp"
 #include "talus/calibration/touched_ground.hpp"
+#include "talus/project/values.hpp"
 
 namespace talus::calibration {
 
 namespace {
+
+using project::counted;
 
 constexpr double much_at_a_bound = 0.25;
 
@@ -59,7 +62,9 @@ class Doubts {
 
   void of_effort() {
     if (result_.effective_sets >= enough_effective_sets) return;
-    warn("", fmt::format("the posterior is as accurate as {:.0f} sets", result_.effective_sets),
+    warn("",
+         fmt::format("the posterior is as accurate as {}",
+                     counted(static_cast<std::size_t>(std::lround(result_.effective_sets)), "set", "sets")),
          fmt::format("expected at least {:g}", enough_effective_sets),
          "Increase most_draws (the same command continues), or rocks (their chance makes likelihoods uneven)");
   }
@@ -95,13 +100,15 @@ class Doubts {
       const std::string where = fmt::format("parameter \"{}\"", study_.parameters()[k].name);
       const std::string ground = ground_of(study_.parameters()[k].name);
       if (static_cast<double>(each.rocks) < few * static_cast<double>(each.all)) {
-        warn(where, fmt::format("{} of {} rocks of the best set depend on it", each.rocks, each.all),
+        warn(where,
+             fmt::format("{} of {} rocks of the best set depend{} on it", each.rocks, each.all,
+                         each.rocks == 1 ? "s" : ""),
              ground.empty() ? "" : fmt::format("hardly any rock touches {}", ground),
              each.rocks == 0 || ground.empty() ? "Leave it out" : "Observe rocks that do, or leave it out");
       } else if (static_cast<double>(each.near) < few * static_cast<double>(each.all_near)) {
         warn(where,
-             fmt::format("{} of the {} simulated rocks that come nearest to the observed ones depend on it", each.near,
-                         each.all_near),
+             fmt::format("{} of the {} simulated rocks that come nearest to the observed ones depend{} on it",
+                         each.near, each.all_near, each.near == 1 ? "s" : ""),
              ground.empty() ? "" : fmt::format("it seems that no observed rock touched {}", ground),
              "Its values follow from rocks that were not observed; observe some there, or leave it out");
       }
@@ -144,8 +151,8 @@ class Doubts {
     for (const HeldOutCoverage& each : coverage_of(result_.held_out)) {
       if (!each.is_too_narrow()) continue;
       warn(each.group,
-           fmt::format("{} of {} observations that were held out lie within the central 90 % of their predicted {}",
-                       each.within_90, each.observations, each.feature.name),
+           fmt::format("{} of {} observations that were held out lie{} within the central 90 % of their predicted {}",
+                       each.within_90, each.observations, each.within_90 == 1 ? "s" : "", each.feature.name),
            fmt::format("expected at least {}: predictions are too narrow", each.least_expected),
            "Let a spread vary, such as roughness_deg or the std_dev of a property, or compare models with [[model]]");
     }

@@ -10,7 +10,9 @@
 
 #include "talus/core/nearest.hpp"
 #include "talus/files/data_table.hpp"
+#include "talus/files/mistyped_column.hpp"
 #include "talus/files/ordinary_file.hpp"
+#include "talus/project/values.hpp"
 
 namespace talus::calibration {
 
@@ -48,11 +50,6 @@ std::vector<std::string> split(std::string_view line, char separator) {
 
 Problem about_table(const std::string& file, std::string what, std::string why = {}, std::string hint = {}) {
   return {.file = file, .where = {}, .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
-}
-
-bool is_named(const ObservedColumn& column, const std::string& plain) {
-  return plain == plain_column_name(column.name) ||
-         std::ranges::any_of(column.others, [&](std::string_view other) { return plain == plain_column_name(other); });
 }
 
 /// Whether a column's name ends with a unit.
@@ -93,6 +90,45 @@ std::string text_of_table(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool ObservedColumn::is_named(std::string_view text) const {
+  const std::string plain = plain_column_name(text);
+  return plain == plain_column_name(name) ||
+         std::ranges::any_of(others, [&](std::string_view other) { return plain == plain_column_name(other); });
+}
+
+void check_column_names(const Problem& place, std::span<const std::string> columns,
+                        const std::vector<ObservedColumn>& known, Problems& problems, Problems& warnings) {
+  std::vector<std::string_view> lacking;
+  for (const ObservedColumn& one : known) {
+    if (std::ranges::any_of(columns, [&](const std::string& column) { return one.is_named(column); })) continue;
+    lacking.push_back(one.name);
+    lacking.insert(lacking.end(), one.others.begin(), one.others.end());
+  }
+  for (const std::string& column : columns) {
+    if (std::ranges::any_of(known, [&](const ObservedColumn& one) { return one.is_named(column); })) continue;
+    const std::string plain = plain_column_name(column);
+    Problem problem = place;
+    const auto same =
+        std::ranges::find_if(known, [&](const ObservedColumn& one) { return is_in_other_unit(one, plain); });
+    if (same != known.end()) {
+      problem.what = fmt::format("column \"{}\" has {}", column, has_unit(plain) ? "another unit" : "no unit");
+      problem.why = fmt::format("the unit is in the name; expected {}", same->name);
+      problem.hint = fmt::format("Convert it, and name it {}", same->name);
+      problems.add(std::move(problem));
+    } else if (const auto meant = mistyped_column(plain, lacking)) {
+      problem.what = fmt::format("column \"{}\" is not known", column);
+      problem.why = fmt::format("it would not be read, and there is no column {}", *meant);
+      problem.hint = fmt::format("Name it {}, or otherwise if it is something else", *meant);
+      problems.add(std::move(problem));
+    } else if (const auto near = nearest(plain, lacking)) {
+      problem.what = fmt::format("column \"{}\" is not read", column);
+      problem.hint = fmt::format("Did you mean \"{}\"?", *near);
+      problem.severity = Severity::warning;
+      warnings.add(std::move(problem));
+    }
+  }
+}
+
 ObservationTable::ObservationTable(const std::filesystem::path& path) : file_(path.string()) {
   const std::string text = text_of_table(path);
   std::string_view left = text;
@@ -117,8 +153,8 @@ ObservationTable::ObservationTable(const std::filesystem::path& path) : file_(pa
     std::vector<std::string> values = split(row, separator_);
     if (values.size() != columns_.size()) {
       Problem problem =
-          about_table(file_, fmt::format("the row has {} values", values.size()),
-                      fmt::format("the file has {} columns", columns_.size()),
+          about_table(file_, fmt::format("the row has {}", project::counted(values.size(), "value", "values")),
+                      fmt::format("the file has {}", project::counted(columns_.size(), "column", "columns")),
                       separator_ == ',' ? "Numbers have a decimal point; or separate values by semicolons" : "");
       problem.line = line;
       if (++bad <= most_rows_reported) problems.add(std::move(problem));
@@ -127,7 +163,8 @@ ObservationTable::ObservationTable(const std::filesystem::path& path) : file_(pa
     rows_.push_back({line, std::move(values)});
   }
   if (bad > most_rows_reported)
-    problems.add(about_table(file_, fmt::format("{} more rows are like this", bad - most_rows_reported)));
+    problems.add(about_table(file_, fmt::format("{} like this", project::counted(bad - most_rows_reported,
+                                                                                 "more row is", "more rows are"))));
   if (rows_.empty() && bad == 0) {
     problems.add(
         about_table(file_, "there are no observations", "expected a line of column names, and a row for each rock"));
@@ -137,35 +174,14 @@ ObservationTable::ObservationTable(const std::filesystem::path& path) : file_(pa
 
 std::optional<std::size_t> ObservationTable::find(const ObservedColumn& column) const {
   for (std::size_t k = 0; k < columns_.size(); ++k) {
-    if (is_named(column, plain_column_name(columns_[k]))) return k;
+    if (column.is_named(columns_[k])) return k;
   }
   return std::nullopt;
 }
 
 void ObservationTable::check_columns(const std::vector<ObservedColumn>& known, Problems& problems,
                                      Problems& warnings) const {
-  std::vector<std::string_view> names;
-  for (const ObservedColumn& column : known) names.push_back(column.name);
-  for (const std::string& column : columns_) {
-    const std::string plain = plain_column_name(column);
-    if (std::ranges::any_of(known, [&](const ObservedColumn& one) { return is_named(one, plain); })) continue;
-    const auto same =
-        std::ranges::find_if(known, [&](const ObservedColumn& one) { return is_in_other_unit(one, plain); });
-    if (same != known.end()) {
-      Problem problem =
-          about_table(file_, fmt::format("column \"{}\" has {}", column, has_unit(plain) ? "another unit" : "no unit"),
-                      fmt::format("the unit is in the name; expected {}", same->name),
-                      fmt::format("Convert it, and name it {}", same->name));
-      problem.line = 1;
-      problems.add(std::move(problem));
-    } else if (const auto near = nearest(plain, names)) {
-      Problem problem = about_table(file_, fmt::format("column \"{}\" is not read", column), "",
-                                    fmt::format("Did you mean \"{}\"?", *near));
-      problem.line = 1;
-      problem.severity = Severity::warning;
-      warnings.add(std::move(problem));
-    }
-  }
+  check_column_names({.file = file_, .line = 1}, columns_, known, problems, warnings);
 }
 
 bool ObservationTable::is_in_degrees() const {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,15 @@ namespace talus::calibration {
 struct ObservedColumn {
   std::string_view name;
   std::vector<std::string_view> others;
+
+  /// Whether `text` is one of its names; `Mass [kg]` is mass_kg (plain_column_name).
+  [[nodiscard]] bool is_named(std::string_view text) const;
 };
+
+/// Refuses columns of a quantity that is read, but in another unit or without one, and names that were mistyped
+/// (mistyped_column.hpp); warns of names that may have been. Others are not read. `place`: of the names, for messages.
+void check_column_names(const Problem& place, std::span<const std::string> columns,
+                        const std::vector<ObservedColumn>& known, Problems& problems, Problems& warnings);
 
 /// A text file with a line of column names. Values are separated by commas, semicolons or tabs, the same in the whole
 /// file, and may be quoted; with semicolons and tabs, numbers may have decimal commas. Empty lines and comments (#) are
@@ -27,10 +36,8 @@ class ObservationTable {
 
   [[nodiscard]] std::size_t rows() const { return rows_.size(); }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
-  /// The place of a column; `Mass [kg]` is mass_kg (plain_column_name).
   [[nodiscard]] std::optional<std::size_t> find(const ObservedColumn& column) const;
-  /// Refuses columns of a quantity that is read, but in another unit or without one; warns of names that were probably
-  /// mistyped. Others are not read.
+  /// As check_column_names.
   void check_columns(const std::vector<ObservedColumn>& known, Problems& problems, Problems& warnings) const;
   /// Whether a column is named for a longitude or latitude.
   [[nodiscard]] bool is_in_degrees() const;

@@ -9,6 +9,7 @@
 #include "talus/calibration/observation_table.hpp"
 #include "talus/calibration/observed_places.hpp"
 #include "talus/core/nearest.hpp"
+#include "talus/statistics/without_rounding.hpp"
 
 namespace talus::calibration {
 
@@ -31,10 +32,11 @@ void group_by_rock(std::vector<ObservedPlace>& places, std::vector<std::uint32_t
 void check_rocks(const std::vector<ObservedPlace>& places, const std::string& file) {
   const auto named = std::ranges::count_if(places, [](const ObservedPlace& place) { return !place.rock.empty(); });
   if (named == 0 || static_cast<std::size_t>(named) == places.size()) return;
-  throw BadInput(Problem{.file = file,
-                         .what = fmt::format("{} of {} marks have a rock", named, places.size()),
-                         .why = "either all or none",
-                         .hint = "Put marks of unknown rocks into another file"});
+  throw BadInput(
+      Problem{.file = file,
+              .what = fmt::format("{} of {} marks ha{} a rock", named, places.size(), named == 1 ? "s" : "ve"),
+              .why = "either all or none",
+              .hint = "Put marks of unknown rocks into another file"});
 }
 
 void check_releases_of_rocks(const std::vector<ObservedPlace>& places) {
@@ -66,14 +68,22 @@ void take_places(const Study& study, const StudyObservations& from, const study:
   Vec2 mean_stop = Vec2::Zero();
   for (const ObservedPlace& place : places) mean_stop += place.position.head<2>() / static_cast<double>(places.size());
   std::size_t compared = 0;
+  Vec2 mean_end = Vec2::Zero();
   for (const study::RockEnd& end : ends) {
     if (group.releases.of(end) == ReleaseStrata::none) continue;
     group.axis.origin += end.release.head<2>();
+    mean_end += end.end.head<2>();
     ++compared;
   }
   group.axis.origin /= static_cast<double>(compared);
-  const Vec2 way = mean_stop - group.axis.origin;
-  if (way.norm() > 0) group.axis.along = way.normalized();
+  mean_end /= static_cast<double>(compared);
+  // Observed stops that are at the releases have no direction: then that of the simulated ones counts.
+  for (const Vec2& end : {mean_stop, mean_end}) {
+    const Vec2 way = end - group.axis.origin;
+    if (without_rounding(way.norm(), 1 + end.norm()) == 0) continue;
+    group.axis.along = way.normalized();
+    break;
+  }
   const bool is_2d = site.project().is_2d();
   group.features = {{"runout", "m", from.accuracy_m}};
   if (!is_2d) group.features.push_back({"lateral", "m", from.accuracy_m});
@@ -108,7 +118,7 @@ void check_units(const ObservedGroup& group, const study::PreparedSite& site, co
   if (median < far * rotation * most && median * far > least) return;
   warnings.add({Severity::warning, file, 0, "",
                 fmt::format("the energies and velocities imply rocks of {:.3g} kg", median),
-                fmt::format("the simulated rocks have {:.4g} to {:.4g} kg", least, most),
+                fmt::format("the simulated rocks have {}", mass_range(least, most)),
                 "Check the units, kJ and m/s, and the sizes of the seeders"});
 }
 

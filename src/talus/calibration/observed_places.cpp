@@ -19,6 +19,8 @@ constexpr double far_off_the_ground = 1;  // [m]
 
 const std::vector<ObservedColumn> place_columns{{"x_m", {"x"}},          {"y_m", {"y"}},        {"z_m", {"z"}},
                                                 {"release", {"seeder"}}, {"rock", {"rock_id"}}, {"mass_kg", {}}};
+enum PlaceColumn { place_x, place_y, place_z, place_release, place_rock, place_mass };
+constexpr int first_place_attribute = place_release;  // of maps, whose points have the coordinates
 
 class PlaceReader {
  public:
@@ -40,10 +42,10 @@ class PlaceReader {
  private:
   std::vector<ObservedPlace> from_table() {
     const ObservationTable table(file_);
-    table.check_columns(place_columns, problems_, warnings_);
-    const auto x = table.find(place_columns[0]), y = table.find(place_columns[1]), z = table.find(place_columns[2]),
-               release = table.find(place_columns[3]), rock = table.find(place_columns[4]),
-               mass = table.find(place_columns[5]);
+    table.check_columns(columns_that_count(), problems_, warnings_);
+    const auto find = [&](PlaceColumn column) { return table.find(place_columns[column]); };
+    const auto x = find(place_x), y = find(place_y), z = find(place_z), release = find(place_release),
+               rock = find(place_rock), mass = find(place_mass);
     if (!x || (!y && !is_2d_)) {
       if (problems_.has_errors()) throw BadInput(std::move(problems_));
       throw BadInput(Problem{.file = table.file(),
@@ -90,24 +92,29 @@ class PlaceReader {
                              .why = "expected a CSV file with the column x_m"});
     }
     std::vector<std::string> chosen;
-    const VectorRequest request{
-        .layer = from_.layer,
-        .attributes = {},
-        .kinds = {ShapeKind::point},
-        .polygons_are_in_space = false,
-        .heights_are_used = false,
-        .terrain_crs_wkt = site_.model().crs_wkt,
-        .choose = [&](const std::vector<std::string>& names) { return chosen = attributes_of(names); }};
+    const VectorRequest request{.layer = from_.layer,
+                                .attributes = {},
+                                .kinds = {ShapeKind::point},
+                                .polygons_are_in_space = false,
+                                .heights_are_used = false,
+                                .terrain_crs_wkt = site_.model().crs_wkt,
+                                .choose = [&](const std::vector<std::string>& names) {
+                                  std::vector<ObservedColumn> columns = columns_that_count();
+                                  columns.erase(columns.begin(), columns.begin() + first_place_attribute);
+                                  check_column_names({.file = file_.string()}, names, columns, problems_, warnings_);
+                                  return chosen = attributes_of(names);
+                                }};
     std::vector<ObservedPlace> places;
-    for (const VectorFeature& feature : read_vector_file(file_, request, warnings_).features) {
+    const VectorLayer layer = read_vector_file(file_, request, warnings_);
+    if (problems_.has_errors()) throw BadInput(std::move(problems_));
+    for (const VectorFeature& feature : layer.features) {
       for (const VectorShape& part : feature.parts) {
         ObservedPlace one;
         one.position = part.lists.front().front();
         one.has_z = feature.has_z;
         one.place = {.file = file_.string(), .where = fmt::format("feature {}", feature.id)};
         for (std::size_t k = 0; k < chosen.size(); ++k) {
-          if (feature.values[k] && !feature.values[k]->empty())
-            take(plain_column_name(chosen[k]), *feature.values[k], one);
+          if (feature.values[k] && !feature.values[k]->empty()) take(chosen[k], *feature.values[k], one);
         }
         places.push_back(std::move(one));
       }
@@ -119,16 +126,24 @@ class PlaceReader {
   static std::vector<std::string> attributes_of(const std::vector<std::string>& names) {
     std::vector<std::string> chosen;
     for (const std::string& name : names) {
-      const std::string plain = plain_column_name(name);
-      if (plain == "release" || plain == "rock" || plain == "mass_kg") chosen.push_back(name);
+      const auto is_named = [&](const ObservedColumn& column) { return column.is_named(name); };
+      if (std::any_of(place_columns.begin() + first_place_attribute, place_columns.end(), is_named))
+        chosen.push_back(name);
     }
     return chosen;
   }
 
+  /// Of stops, the name of a rock is a note.
+  [[nodiscard]] std::vector<ObservedColumn> columns_that_count() const {
+    std::vector<ObservedColumn> columns = place_columns;
+    if (from_.marks.empty()) columns.erase(columns.begin() + place_rock);
+    return columns;
+  }
+
   void take(const std::string& name, const std::string& text, ObservedPlace& one) {
-    if (name == "release") one.release = text;
-    if (name == "rock") one.rock = text;
-    if (name != "mass_kg") return;
+    if (place_columns[place_release].is_named(name)) one.release = text;
+    if (place_columns[place_rock].is_named(name)) one.rock = text;
+    if (!place_columns[place_mass].is_named(name)) return;
     one.mass = number_in_cell(text, false);
     if (one.mass && std::isfinite(*one.mass)) return;
     Problem problem = one.place;
@@ -166,16 +181,18 @@ class PlaceReader {
                    : "Check the coordinate systems of the file and of the terrain";
       }
       if (swapped == off) hint = "x and y seem to be exchanged";
-      problems_.add({.file = file_.string(),
-                     .what = fmt::format("{} of {} observations are off the terrain", off, places.size()),
-                     .why = off == places.size() && swapped != off ? "they may be in another coordinate system" : "",
-                     .hint = std::move(hint)});
+      problems_.add(
+          {.file = file_.string(),
+           .what = fmt::format("{} of {} observations {} off the terrain", off, places.size(), off == 1 ? "is" : "are"),
+           .why = off == places.size() && swapped != off ? "they may be in another coordinate system" : "",
+           .hint = std::move(hint)});
     }
     if (high > 0) {
-      warnings_.add({Severity::warning, file_.string(), 0, "",
-                     fmt::format("{} of {} observed {} are more than {:g} m above or below the terrain", high,
-                                 places.size(), from_.marks.empty() ? "stops" : "marks", far_off_the_ground),
-                     fmt::format("up to {:.1f} m", most), "Compare their heights and coordinates with the terrain"});
+      warnings_.add(
+          {Severity::warning, file_.string(), 0, "",
+           fmt::format("{} of {} observed {} {} more than {:g} m above or below the terrain", high, places.size(),
+                       from_.marks.empty() ? "stops" : "marks", high == 1 ? "is" : "are", far_off_the_ground),
+           fmt::format("up to {:.1f} m", most), "Compare their heights and coordinates with the terrain"});
     }
   }
 

@@ -42,7 +42,13 @@ void add_group(const ObservedGroup& group, Checksum& checksum) {
 
 PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& warnings)
     : study_(std::move(study)), overrides_(variant != nullptr ? variant->set : std::vector<std::string>()) {
-  Problems problems;
+  Problems problems = study::lacking_projects(study_);
+  for (const StudyObservations& from : study_.observations) {
+    const std::string where = fmt::format("observations \"{}\"", from.name);
+    if (auto lacking = study::lacking_file(study_, from.file(), from.key(), from.line, where))
+      problems.add(std::move(*lacking));
+  }
+  if (problems.has_errors()) throw BadInput(problems.in_order_of(study_.file.string()));
   sites_ = study::PreparedSites(study_, overrides_, problems, warnings);
   for (const StudyObservations& from : study_.observations) {
     const auto site = static_cast<std::size_t>(std::ranges::find(study_.sites, from.site, &study::GivenSite::name) -
@@ -69,6 +75,7 @@ PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& w
                   fmt::format("fewer than {:g} observations for each say little", observations_per_parameter),
                   "Seek fewer, or expect a posterior as wide as the prior"});
   }
+  check_folds();
   check_dependence(warnings);
 
   Checksum checksum;
@@ -76,6 +83,17 @@ PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& w
   for (const ObservedGroup& group : groups_) add_group(group, checksum);
   checksum.add(fmt::format("{} {} {} {}", study_.seed, study_.rocks, study_.draws, study_.rounds));
   fingerprint_ = text_of(checksum.digest());
+}
+
+void PreparedStudy::check_folds() const {
+  std::size_t most = 0;  // of a file
+  for (const ObservedGroup& group : groups_) most = std::max(most, group.sample.first_rows().size() - 1);
+  if (study_.folds <= static_cast<std::int64_t>(most) || study_.hold_out_sites) return;
+  throw BadInput(Problem{.file = study_.file.string(),
+                         .what = fmt::format("folds is {}", study_.folds),
+                         .why = most == 1 ? "there is one observation"
+                                          : fmt::format("no file has more than {} observations to divide", most),
+                         .hint = fmt::format("Use {} at most", most)});
 }
 
 void PreparedStudy::check_dependence(Problems& warnings) const {

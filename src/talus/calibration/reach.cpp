@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "talus/project/values.hpp"
+#include "talus/statistics/without_rounding.hpp"
+
 namespace talus::calibration {
 
 namespace {
@@ -76,7 +79,8 @@ class Reach {
         found_.push_back(
             {where,
              fmt::format("no parameters within the ranges give {} {} of {} than {:.4g}{}; observed {:.4g}{}",
-                         feature.name.starts_with('e') ? "an" : "a", feature.name, side, reached, unit(feature), seen,
+                         feature.name.starts_with('e') ? "an" : "a", feature.name, side,
+                         without_rounding(reached, seen), unit(feature), without_rounding(seen, reached),
                          unit(feature)),
              is_whole});
         ++releases;
@@ -136,11 +140,12 @@ void expect_reach(const PreparedStudy& study, const std::vector<SetResult>& sets
   Problems problems;
   for (Unreached& each : unreached(study, sets)) {
     if (!each.is_whole_group) continue;
-    problems.add({.file = study.study().file.string(),
-                  .where = std::move(each.where),
-                  .what = std::move(each.what),
-                  .why = fmt::format("no observation is reached by any of {} sets", sets.size()),
-                  .hint = "Widen the ranges, let other parameters vary, or check the observations and the releases"});
+    problems.add(
+        {.file = study.study().file.string(),
+         .where = std::move(each.where),
+         .what = std::move(each.what),
+         .why = fmt::format("no observation is reached by any of {}", project::counted(sets.size(), "set", "sets")),
+         .hint = "Widen the ranges, let other parameters vary, or check the observations and the releases"});
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
 }

@@ -8,10 +8,13 @@
 #include <variant>
 
 #include "talus/core/nearest.hpp"
+#include "talus/project/values.hpp"
 
 namespace talus::calibration {
 
 namespace {
+
+using project::counted;
 
 constexpr std::size_t fewest_simulated = 5, few_simulated = 20;  // rocks of a release
 constexpr std::size_t most_releases_named = 3;                   // in a message
@@ -27,23 +30,27 @@ class ReleaseMatch {
     MatchedPlaces matched;
     ReleaseStrata& strata = matched.strata;
     std::map<std::string, std::uint32_t> numbers;
+    std::map<std::string, std::size_t> unknown;  // rows
+    std::vector<const ObservedPlace*> first_unknown;
     std::size_t named = 0;
     for (const ObservedPlace& place : places_) {
       if (place.release.empty()) continue;
       ++named;
       if (!releases_.contains(place.release)) {
-        refuse_unknown(place);
+        if (unknown[place.release]++ == 0) first_unknown.push_back(&place);
         continue;
       }
       const auto [known, is_new] = numbers.try_emplace(place.release, static_cast<std::uint32_t>(strata.names.size()));
       if (is_new) strata.names.push_back(place.release);
       matched.of_place.push_back(known->second);
     }
+    for (const ObservedPlace* place : first_unknown) refuse_unknown(*place, unknown.at(place->release) - 1);
     if (named != places_.size() && !problems_.has_errors()) {
-      problems_.add({.file = file_,
-                     .what = fmt::format("{} of {} rocks have a release", named, places_.size()),
-                     .why = "either all or none",
-                     .hint = "Put rocks of unknown releases into another file, as observations of their own"});
+      problems_.add(
+          {.file = file_,
+           .what = fmt::format("{} of {} rocks ha{} a release", named, places_.size(), named == 1 ? "s" : "ve"),
+           .why = "either all or none",
+           .hint = "Put rocks of unknown releases into another file, as observations of their own"});
     }
     throw_if_any();
     assign_rocks(numbers, strata);
@@ -59,7 +66,7 @@ class ReleaseMatch {
         std::ranges::count_if(places_, [](const ObservedPlace& place) { return place.mass.has_value(); });
     if (given == 0) return {};
     if (static_cast<std::size_t>(given) != places_.size()) {
-      warn(fmt::format("{} of {} rocks have a mass", given, places_.size()),
+      warn(fmt::format("{} of {} rocks ha{} a mass", given, places_.size(), given == 1 ? "s" : "ve"),
            "masses are used if all are known, and are not used here", "Put the others into another file");
       return {};
     }
@@ -70,8 +77,8 @@ class ReleaseMatch {
     std::ranges::sort(simulated);
     constexpr double outside = 1.5;
     if (observed.back() > outside * simulated.back() || observed.front() * outside < simulated.front()) {
-      warn(fmt::format("the observed masses are {:.4g} to {:.4g} kg, the simulated ones {:.4g} to {:.4g} kg",
-                       observed.front(), observed.back(), simulated.front(), simulated.back()),
+      warn(fmt::format("the observed masses are {}, the simulated ones {}",
+                       mass_range(observed.front(), observed.back()), mass_range(simulated.front(), simulated.back())),
            "rocks of other masses may run otherwise", "Check the unit, and give the seeders the observed masses");
     }
     MatchedPlaces matched;
@@ -114,7 +121,8 @@ class ReleaseMatch {
     }
   }
 
-  void refuse_unknown(const ObservedPlace& place) {
+  /// `more`: rows that name the same release.
+  void refuse_unknown(const ObservedPlace& place, std::size_t more) {
     Problem problem = place.place;
     if (std::ranges::count(without_rocks_, place.release) > 0) {
       problem.what = fmt::format("the release \"{}\" has no simulated rock", place.release);
@@ -127,6 +135,7 @@ class ReleaseMatch {
       problem.why = "the column release names a seeder, or a row of its table";
       if (const auto near = nearest(place.release, known)) problem.hint = fmt::format("Did you mean \"{}\"?", *near);
     }
+    if (more > 0) problem.what += fmt::format(", which {} as well", counted(more, "row names", "rows name"));
     problems_.add(std::move(problem));
   }
 
@@ -193,13 +202,14 @@ class ReleaseMatch {
       }
       if (*places_[k].mass <= differs * most && *places_[k].mass * differs >= least) continue;
       if (count++ == 0) {
-        first = fmt::format("the rock of \"{}\" has {:.4g} kg, its release {:.4g}{}", places_[k].release,
-                            *places_[k].mass, least, most > least ? fmt::format(" to {:.4g} kg", most) : " kg");
+        first = fmt::format("the rock of \"{}\" has {:.4g} kg, its release {}", places_[k].release, *places_[k].mass,
+                            mass_range(least, most));
       }
     }
     if (count == 0) return;
-    warn(fmt::format("{} of {} observed masses differ from those of their releases", count, places_.size()), first,
-         "Check the unit, and give the releases the observed masses");
+    warn(fmt::format("{} of {} observed masses differ{} from those of their releases", count, places_.size(),
+                     count == 1 ? "s" : ""),
+         first, "Check the unit, and give the releases the observed masses");
   }
 
   /// Bounds between classes of mass.
@@ -247,6 +257,11 @@ class ReleaseMatch {
 };
 
 }  // namespace
+
+std::string mass_range(double least, double most) {
+  const std::string from = fmt::format("{:.4g}", least), to = fmt::format("{:.4g}", most);
+  return from == to ? from + " kg" : fmt::format("{} to {} kg", from, to);
+}
 
 std::string ReleaseStrata::name_of(std::uint32_t stratum) const {
   if (!names.empty()) return fmt::format("release \"{}\"", names[stratum]);

@@ -28,6 +28,9 @@ struct ReleaseStrata {
   [[nodiscard]] std::uint32_t of(const study::RockEnd& end) const;
 };
 
+/// Masses in a message: "300 kg", "72.04 to 895 kg".
+[[nodiscard]] std::string mass_range(double least, double most);
+
 struct MatchedPlaces {
   ReleaseStrata strata;
   std::vector<std::uint32_t> of_place;  // stratum of each observed place; empty if all are in one

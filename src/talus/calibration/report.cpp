@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "talus/calibration/best_set.hpp"
 #include "talus/calibration/doubts.hpp"
 #include "talus/calibration/result_figures.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/calibration/svg.hpp"
 #include "talus/calibration/zone_prediction.hpp"
+#include "talus/project/values.hpp"
+#include "talus/statistics/without_rounding.hpp"
 
 namespace talus::calibration {
 
 namespace {
+
+using project::counted;
 
 constexpr const char* page_style =
     "body{font:15px/1.5 system-ui,sans-serif;color:#222;max-width:1080px;margin:24px auto;padding:0 16px}"
@@ -26,9 +31,6 @@ constexpr const char* page_style =
     "margin:4px 0}";
 
 constexpr std::size_t most_in_pairs = 6;  // parameters
-
-/// Rounding of sums that are 0 is not shown.
-double rounded(double value) { return std::abs(value) < 1e-9 ? 0 : value; }
 
 std::string with_unit(const std::string& name, const std::string& unit) {
   return unit.empty() ? name : fmt::format("{} [{}]", name, unit);
@@ -74,11 +76,14 @@ class Page {
     for (const ObservedGroup& group : study_.groups()) observations += group.count();
     const auto agreeing = std::ranges::count_if(result_.sets, [](const SetResult& set) { return agrees(set); });
     out_ += fmt::format(
-        "<p>{} parameters, {} observations at {} site{}, {} sets of {} rocks. {} sets are as near to the observations "
-        "as "
-        "chance alone gives. The posterior is as accurate as {:.0f} independent sets.</p>\n",
-        study_.parameters().size(), observations, study_.sites().size(), study_.sites().size() == 1 ? "" : "s",
-        result_.sets.size(), study_.study().rocks, agreeing, result_.effective_sets);
+        "<p>{}, {} at {}, {} of {}. {} as near to the observations as chance alone gives. The posterior is as accurate "
+        "as {}.</p>\n",
+        counted(study_.parameters().size(), "parameter", "parameters"),
+        counted(observations, "observation", "observations"), counted(study_.sites().size(), "site", "sites"),
+        counted(result_.sets.size(), "set", "sets"),
+        counted(static_cast<std::size_t>(study_.study().rocks), "rock", "rocks"),
+        counted(static_cast<std::size_t>(agreeing), "set is", "sets are"),
+        counted(static_cast<std::size_t>(std::lround(result_.effective_sets)), "independent set", "independent sets"));
   }
 
   [[nodiscard]] std::vector<double> values_of(std::size_t parameter) const {
@@ -105,6 +110,8 @@ class Page {
           learned.is_nothing() ? "the data say nothing about this one" : "");
     }
     out_ += "</table>\n";
+    if (const std::string why = why_best_is_outside(study_, result_); !why.empty())
+      out_ += fmt::format("<p>{}.</p>\n", escaped(why));
     for (std::size_t k = 0; k < study_.parameters().size(); ++k) histogram(k);
   }
 
@@ -194,8 +201,9 @@ class Page {
         figure(plot, fmt::format("{}, {}: observed {:.4g} \u00b1 {:.3g} {}, predicted {:.4g} \u00b1 {:.3g} {} (mean "
                                  "and standard deviation). {} of the best set {:.3g}; chance alone gives up to "
                                  "{:.3g}.",
-                                 study_.study().sites[group.site].name, group.name, rounded(observed_mean),
-                                 observed_spread, feature.unit, mean, spread, feature.unit,
+                                 study_.study().sites[group.site].name, group.name,
+                                 without_rounding(observed_mean, observed_spread), observed_spread, feature.unit,
+                                 without_rounding(mean, spread), spread, feature.unit,
                                  group.sample.has_strata() ? "Mean energy score" : "Energy distance",
                                  result_.sets[result_.best].distances[g], result_.thresholds[g]));
   }
@@ -244,10 +252,11 @@ class Page {
     out_ += "<table><tr><th>held out</th><th></th><th>observed</th><th>predicted from the other sites</th></tr>\n";
     for (const HeldOut& held : result_.held_out) {
       for (const PredictedFeature& each : held.features) {
-        out_ += fmt::format(
-            "<tr><td>{}</td><td>{}</td><td>{:.4g} \u00b1 {:.3g}</td><td>{:.4g} \u00b1 {:.3g}</td></tr>\n",
-            escaped(each.group), escaped(with_unit(each.feature.name, each.feature.unit)), rounded(each.observed.mean),
-            each.observed.std_dev, each.predicted.mean, each.predicted.std_dev);
+        out_ +=
+            fmt::format("<tr><td>{}</td><td>{}</td><td>{:.4g} \u00b1 {:.3g}</td><td>{:.4g} \u00b1 {:.3g}</td></tr>\n",
+                        escaped(each.group), escaped(with_unit(each.feature.name, each.feature.unit)),
+                        without_rounding(each.observed.mean, each.observed.std_dev), each.observed.std_dev,
+                        without_rounding(each.predicted.mean, each.predicted.std_dev), each.predicted.std_dev);
       }
     }
     out_ += "</table>\n";

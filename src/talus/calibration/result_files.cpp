@@ -316,8 +316,12 @@ CalibrationResult calibrate_into(const std::filesystem::path& folder, const Prep
     for (const SetResult& set : sets) results.push_back(bytes_of(set.samples));
     saved.save(first, results);
   };
-  CalibrationResult result =
-      calibrate(study, {.threads = options.threads, .progress = options.progress, .known = known, .finished = save});
+  CalibrationResult result = calibrate(study, {.threads = options.threads,
+                                               .progress = options.progress,
+                                               .phase = options.phase,
+                                               .known = known,
+                                               .finished = save});
+  if (options.phase) options.phase("writing the results");
   write_results(folder, study, result);
   return result;
 }

@@ -11,7 +11,9 @@ namespace talus::calibration {
 
 struct FolderOptions {
   int threads = 0;
+  /// As in CalibrationOptions.
   std::function<void(std::size_t done, std::size_t all)> progress{};
+  std::function<void(const std::string& what)> phase{};
 };
 
 /// Calibrates into a folder. Sets that an earlier calibration of the same study simulated there are not simulated

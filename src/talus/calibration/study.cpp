@@ -86,7 +86,7 @@ StudyReading read_study_text(std::string_view text, const std::filesystem::path&
 }
 
 StudyReading read_study(const std::filesystem::path& file) {
-  return read_study_text(project::text_of_file(file), file);
+  return read_study_text(project::text_of_file(file, "study"), file);
 }
 
 }  // namespace talus::calibration

@@ -36,6 +36,10 @@ struct StudyObservations {
   [[nodiscard]] const std::filesystem::path& file() const {
     return !stops.empty() ? stops : !marks.empty() ? marks : !values.empty() ? values : zones;
   }
+  /// By which the file is named.
+  [[nodiscard]] const char* key() const {
+    return !stops.empty() ? "stops" : !marks.empty() ? "marks" : !values.empty() ? "values" : "zones";
+  }
 };
 
 /// [[model]]

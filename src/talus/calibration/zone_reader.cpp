@@ -10,6 +10,7 @@
 #include "talus/calibration/zone_checks.hpp"
 #include "talus/files/data_table.hpp"
 #include "talus/import/vector_file.hpp"
+#include "talus/project/values.hpp"
 
 namespace talus::calibration {
 
@@ -153,10 +154,12 @@ class ZoneReader {
                                 .terrain_crs_wkt = site_.model().crs_wkt,
                                 .choose = [&](const std::vector<std::string>& all) { return names = all; }};
     const VectorLayer layer = read_vector_file(file_, request, warnings_);
+    std::vector<ObservedColumn> attributes = zone_columns;
+    attributes.erase(attributes.begin() + x_column, attributes.begin() + first_amount);  // places: the polygons
+    check_column_names({.file = file_.string()}, names, attributes, problems_, warnings_);
     const auto find = [&](const ObservedColumn& column) -> std::optional<std::size_t> {
       for (std::size_t k = 0; k < names.size(); ++k) {
-        const std::string plain = plain_column_name(names[k]);
-        if (plain == column.name || std::ranges::count(column.others, plain) > 0) return k;
+        if (column.is_named(names[k])) return k;
       }
       return std::nullopt;
     };
@@ -185,7 +188,8 @@ class ZoneReader {
     constexpr std::size_t fewest = 3;
     if (outer.size() > 1 && outer.front() == outer.back()) outer.pop_back();
     if (outer.size() < fewest) {
-      at(places_[k], fmt::format("zone \"{}\" has {} vertices", zones_.list[k].name, outer.size()),
+      at(places_[k],
+         fmt::format("zone \"{}\" has {}", zones_.list[k].name, project::counted(outer.size(), "vertex", "vertices")),
          "an area has three or more", "");
       return;
     }

@@ -18,11 +18,11 @@ ReleaseSurvey survey_releases(const Model& model, std::uint64_t most) {
           RockRecord record;
           const Vec3 place = release_of(model, surface, draws, seeder, record).motion.position;
           found.diameters[record.seeder.index].push_back(2 * record.body.radius);
-          if (record.was_lifted) ++found.in_ground;
+          if (record.was_lifted) found.in_ground.push_back(rock);
           const auto ground = surface.elevation(place.x(), place.y(), place.z());
           if (!ground || place.z() - *ground <= found.highest_m) continue;
           found.highest_m = place.z() - *ground;
-          found.highest_seeder = record.seeder;
+          found.highest = rock;
         }
       },
       model.surface);

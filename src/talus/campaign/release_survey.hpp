@@ -11,9 +11,10 @@ namespace talus {
 /// Of some rocks, evenly spaced among all. A section whose vertices vary is taken as given.
 struct ReleaseSurvey {
   std::uint64_t rocks = 0;
-  std::uint64_t in_ground = 0;  // placed in the ground: lifted, lowered from a ceiling, or left there without room
-  double highest_m = 0;         // maximum height of a centre above the ground straight below it
-  SeederId highest_seeder;      // of that rock
+  /// The numbers of those placed in the ground: lifted, lowered from a ceiling, or left there without room.
+  std::vector<std::uint64_t> in_ground;
+  double highest_m = 0;                        // maximum height of a centre above the ground straight below it
+  std::uint64_t highest = 0;                   // the number of that rock
   std::vector<std::vector<double>> diameters;  // of equivalent spheres, by seeder [m]
 };
 

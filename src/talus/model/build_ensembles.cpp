@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/files/data_table.hpp"
+#include "talus/files/mistyped_column.hpp"
 #include "talus/model/model.hpp"
+#include "talus/model/site_columns.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/parameter.hpp"
 
@@ -79,19 +82,29 @@ class SampleReader {
     is_posterior_ = std::ranges::any_of(table.columns(),
                                         [](const std::string& name) { return plain_column_name(name) == "score"; });
     for (std::size_t k = 0; k < table.columns().size(); ++k) {
-      const std::string& name = table.columns()[k];
-      if (plain_column_name(name) == weight_column) {
-        weight_ = k;
-      } else if (std::ranges::find(settings_of_all, name) != settings_of_all.end()) {
-        problems_.add(problem(1, fmt::format("{} cannot differ between rocks", name), "all rocks of a run share it",
+      if (plain_column_name(table.columns()[k]) == weight_column) weight_ = k;
+    }
+    if (!weight_) refuse_mistyped_weight(table);
+    for (const auto& [column, path] : parameter_columns(table.columns(), project_, file_.string(), problems_)) {
+      if (std::ranges::find(settings_of_all, path) != settings_of_all.end()) {
+        problems_.add(problem(1, fmt::format("{} cannot differ between rocks", path), "all rocks of a run share it",
                               "Leave the column out"));
-      } else if (name.find('.') != std::string::npos) {
-        add_parameter(name, k);
+      } else {
+        add_parameter(path, column);
       }
     }
     if (columns_.empty() && !problems_.has_errors())
       problems_.add(problem(1, "has no column of a parameter", "a column is named by the path of its setting",
                             "For example material.Scree.normal_restitution"));
+  }
+
+  void refuse_mistyped_weight(const DataTable& table) {
+    for (const std::string& name : table.columns()) {
+      if (!mistyped_column(plain_column_name(name), std::span(&weight_column, 1))) continue;
+      problems_.add(problem(1, fmt::format("column \"{}\" is not known", name),
+                            fmt::format("it would not be read, and there is no column {}", weight_column),
+                            fmt::format("Name it {}, or otherwise if it is something else", weight_column)));
+    }
   }
 
   void add_parameter(const std::string& name, std::size_t column) {

@@ -1,12 +1,16 @@
 #include "talus/model/check_releases.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "talus/campaign/release_survey.hpp"
+#include "talus/campaign/rock_release.hpp"
 #include "talus/seeding/release_height.hpp"
 
 namespace talus::project {
@@ -14,29 +18,85 @@ namespace talus::project {
 namespace {
 
 constexpr std::uint64_t sample = 2000;  // rocks; takes a few milliseconds
+constexpr std::size_t most_rows_named = 5, most_seeders_named = 5;
+
+/// A row by its name, or else by its number in the file, from 1.
+std::string name_of_row(const ReleaseTable& table, std::size_t row) {
+  const std::uint32_t number = table.number(row);
+  const bool is_named = !table.names.empty() && !table.names[number - 1].empty();
+  return is_named ? fmt::format("\"{}\"", table.names[number - 1]) : fmt::format("{}", number);
+}
+
+/// The rows from which rocks of a seeder start, `rows 3, 7 and 2 more`; empty if it has no table. `rocks`: in their
+/// order.
+std::string rows_of(const talus::Seeder& seeder, std::span<const std::uint64_t> rocks) {
+  const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
+  if (table == nullptr) return "";
+  std::vector<std::size_t> rows;
+  for (const std::uint64_t rock : rocks) rows.push_back(table->row_of(rock - seeder.first_rock, seeder.rocks));
+  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < std::min(rows.size(), most_rows_named); ++k)
+    names.push_back(name_of_row(*table, rows[k]));
+  const std::size_t more = rows.size() - names.size();
+  return fmt::format("{} {}{}", rows.size() == 1 ? "row" : "rows", fmt::join(names, ", "),
+                     more > 0 ? fmt::format(" and {} more", more) : "");
+}
+
+/// How the releases of a seeder are put onto the ground.
+std::string way_onto_ground(const talus::Seeder& seeder) {
+  if (std::holds_alternative<ReleaseTable>(*seeder.where))
+    return "Compare z_m with the terrain; leave it empty to start on the ground, or give height_above_m instead";
+  if (std::holds_alternative<Vec3>(*seeder.where))
+    return "Compare z with the terrain; z = \"surface\" starts on the ground, height_above_m above it";
+  if (std::holds_alternative<ReleaseLines>(*seeder.where))
+    return "Compare z with the terrain, or give height_above_m instead";
+  return "Lower height_above_m";
+}
+
+std::string named(const talus::Seeder& seeder) { return fmt::format("seeder \"{}\"", seeder.name); }
 
 }  // namespace
 
 void warn_of_high_releases(const Model& model, Problems& warnings) {
   const ReleaseSurvey survey = survey_releases(model, sample);
   if (survey.highest_m <= highest_release_m) return;
+  const talus::Seeder& seeder = seeder_of(model, survey.highest);
+  const std::string row = rows_of(seeder, std::span(&survey.highest, 1));
   warnings.add({.severity = Severity::warning,
-                .where = fmt::format("seeder \"{}\"", model.seeders[survey.highest_seeder.index].name),
-                .what = fmt::format("a rock starts {:.4g} m above the ground", survey.highest_m),
+                .where = named(seeder),
+                .what = fmt::format("a rock{} starts {:.4g} m above the ground", row.empty() ? "" : " of " + row,
+                                    survey.highest_m),
                 .why = "z is an elevation in the coordinate system of the terrain",
-                .hint = "Use z = \"surface\" on the ground, height_above_m above it"});
+                .hint = way_onto_ground(seeder)});
 }
 
 void warn_of_buried_releases(const Model& model, Problems& warnings) {
   const ReleaseSurvey survey = survey_releases(model, sample);
-  if (survey.in_ground == 0) return;
   const bool is_all = survey.rocks == model.rocks();
+  const std::span<const std::uint64_t> all(survey.in_ground);
+  std::size_t seeders = 0;
+  for (std::size_t first = 0; first < all.size();) {
+    const talus::Seeder& seeder = seeder_of(model, all[first]);
+    std::size_t end = first;
+    while (end < all.size() && all[end] < seeder.first_rock + seeder.rocks) ++end;
+    const auto rocks = all.subspan(first, end - first);
+    first = end;
+    if (++seeders > most_seeders_named) continue;
+    const auto number = static_cast<std::size_t>(&seeder - model.seeders.data());
+    const std::string rows = rows_of(seeder, rocks);
+    warnings.add({.severity = Severity::warning,
+                  .where = named(seeder),
+                  .what = fmt::format("{} of {}{} rocks start{} in the ground{}", rocks.size(),
+                                      is_all ? "" : "a sample of ", survey.diameters[number].size(),
+                                      rocks.size() == 1 ? "s" : "", rows.empty() ? "" : ", from " + rows),
+                  .why = "a run lifts them onto the surface, or lowers them from a ceiling",
+                  .hint = way_onto_ground(seeder)});
+  }
+  if (seeders <= most_seeders_named) return;
   warnings.add({.severity = Severity::warning,
                 .where = "seeders",
-                .what = fmt::format("{} of {}{} rocks start in the ground", survey.in_ground,
-                                    is_all ? "" : "a sample of ", survey.rocks),
-                .why = "a run lifts them onto the surface, or lowers them from a ceiling",
-                .hint = "Compare their z with the terrain, or use z = \"surface\""});
+                .what = fmt::format("so do rocks of {} more seeders", seeders - most_seeders_named)});
 }
 
 void warn_of_rocks_larger_than_cells(const Model& model, Problems& warnings) {

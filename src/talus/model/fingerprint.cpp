@@ -5,6 +5,7 @@
 #include <span>
 #include <variant>
 
+#include "talus/campaign/paths_revision.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/core/bytes.hpp"
 #include "talus/files/checksum.hpp"
@@ -150,6 +151,7 @@ std::size_t sources_of(const Model& model) {
 std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& model) {
   Checksum checksum;
   ByteWriter out([&](std::string_view piece) { checksum.add(piece); });
+  out.put(paths_revision);
   out.text(project.dump());
   put(out, model.frame.origin);
   out.count(model.surface.index());

@@ -8,8 +8,8 @@
 
 namespace talus::project {
 
-/// The fingerprint of the echoed project and of the numbers read from its files: terrain, ground, seeders, barriers. It
-/// is the same on every machine, and changes with the contents of the files.
+/// The fingerprint of the echoed project, of the numbers read from its files (terrain, ground, seeders, barriers), and
+/// of the program's paths_revision. It is the same on every machine, and changes with the contents of the files.
 [[nodiscard]] std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& model);
 
 /// The fingerprint of the paths of up to sixteen rocks, evenly spread over all. It differs if another program,

@@ -9,6 +9,7 @@
 #include "talus/core/nearest.hpp"
 #include "talus/files/data_table.hpp"
 #include "talus/files/mesh_problems.hpp"
+#include "talus/files/mistyped_column.hpp"
 #include "talus/files/names_in_words.hpp"
 
 namespace talus::project {
@@ -236,14 +237,25 @@ class Finder {
       if (place) is_used[*place] = true;
     for (const auto& place : {found_.name, found_.source})
       if (place) is_used[*place] = true;
-    std::vector<std::string> free_names;
-    for (const ReleaseColumnFacts& facts : columns())
-      if (!found_.has(facts.column)) free_names.push_back(facts.name());
+    std::vector<std::string> free_names, free_words;
+    for (const ReleaseColumnFacts& facts : columns()) {
+      if (found_.has(facts.column)) continue;
+      free_names.push_back(facts.name());
+      constexpr std::size_t longest_symbol = 2;  // vx: another letter makes another symbol
+      if (facts.stem.size() > longest_symbol) free_words.push_back(facts.name());
+    }
     const std::vector<std::string_view> known(free_names.begin(), free_names.end());
+    const std::vector<std::string_view> words(free_words.begin(), free_words.end());
     for (std::size_t k = 0; k < names_.size(); ++k) {
       (is_used[k] ? found_.used : found_.unused).push_back(names_[k]);
       if (is_used[k]) continue;
-      // One wrong letter in ten: other columns of people's tables may well be similar.
+      if (const auto meant = mistyped_column(plain_[k], words)) {
+        problems_.add(0, fmt::format("column {} is not known", in_quotes(names_[k])),
+                      fmt::format("it would not be read, and there is no column {}", *meant),
+                      fmt::format("Name it {}, or otherwise if it is something else", *meant));
+        continue;
+      }
+      // One wrong letter in five: other columns of people's tables may well be similar.
       const auto near = nearest(plain_[k], known);
       if (near && edit_distance(plain_[k], *near) * 5 <= near->size())
         found_.doubtful.push_back(fmt::format("{} ({})", names_[k], *near));

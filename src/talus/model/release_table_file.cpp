@@ -82,8 +82,9 @@ class RowReader {
           {.severity = Severity::warning,
            .file = file,
            .where = {},
-           .what = fmt::format("{} is {} ({} {}{})", doubt.column, number_text(doubt.number), origin_kind, doubt.origin,
-                               doubt.count > 1 ? fmt::format(", and {} other rows", doubt.count - 1) : ""),
+           .what = fmt::format(
+               "{} is {} ({} {}{})", doubt.column, number_text(doubt.number), origin_kind, doubt.origin,
+               doubt.count > 1 ? fmt::format(", and {}", counted(doubt.count - 1, "other row", "other rows")) : ""),
            .why = doubt.doubt.why,
            .hint = doubt.doubt.hint});
     }

@@ -147,7 +147,7 @@ void TerrainRules::check_mesh_file(Node mesh, const std::filesystem::path& file,
   std::string why = why_unreadable(project, file);
   if (why.empty() && std::filesystem::exists(project.file, error) && !std::filesystem::is_regular_file(path, error)) {
     const bool is_folder = std::filesystem::is_directory(path, error);
-    why = fmt::format("{} is {}", path.string(), is_folder ? "a folder" : "not an ordinary file");
+    why = is_folder ? "it is a folder" : "it is not an ordinary file";
   }
   if (why.empty()) return;
   refuse(mesh, fmt::format("{} is {}", name, quoted(*mesh)), why, "The path is relative to the project file");

@@ -219,25 +219,30 @@ toml::table table_of(std::string_view value_text, const std::string& source) {
 
 }  // namespace
 
-std::string text_of_file(const std::filesystem::path& file) {
-  if (file.empty()) throw BadInput(about_file("\"\"", "the file name is empty", "expected the name of a project file"));
+std::string text_of_file(const std::filesystem::path& file, std::string_view kind) {
+  const bool is_project = kind == "project";
+  const std::string expected =
+      fmt::format("expected a {} file, for example {}.toml", kind, is_project ? std::string_view("slope") : kind);
+  if (file.empty())
+    throw BadInput(about_file("\"\"", "the file name is empty", fmt::format("expected the name of a {} file", kind)));
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   if (status.type() == std::filesystem::file_type::not_found) {
-    throw BadInput(about_file(file, "there is no such file", {}, "`talus new` writes a project to start from"));
+    throw BadInput(
+        about_file(file, "there is no such file", {}, is_project ? "`talus new` writes a project to start from" : ""));
   }
   if (std::filesystem::is_directory(status)) {
-    throw BadInput(about_file(file, "this is a directory", "expected a project file, for example slope.toml"));
+    throw BadInput(about_file(file, "this is a directory", expected));
   }
   if (error) throw BadInput(about_file(file, "the file cannot be read", error.message()));
   if (!std::filesystem::is_regular_file(status)) {
-    throw BadInput(about_file(file, "this is not a regular file", "expected a project file, for example slope.toml"));
+    throw BadInput(about_file(file, "this is not a regular file", expected));
   }
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   if (!error && bytes > most_bytes) {
     throw BadInput(about_file(file, fmt::format("the file has {} MiB", bytes >> 20u),
-                              fmt::format("a project file has at most {} MiB", most_bytes >> 20u),
-                              "Keep a large terrain in a mesh file and name it by terrain.mesh"));
+                              fmt::format("a {} file has at most {} MiB", kind, most_bytes >> 20u),
+                              is_project ? "Keep a large terrain in a mesh file and name it by terrain.mesh" : ""));
   }
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw BadInput(about_file(file, "the file cannot be read", std::strerror(errno)));

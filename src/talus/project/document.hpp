@@ -15,8 +15,8 @@ namespace talus::project {
 /// Maximum size of a project file; larger terrains belong in a mesh file.
 inline constexpr std::uintmax_t most_bytes = 64u << 20u;
 
-/// Reads a whole file. Throws BadInput with the reason if it cannot be read.
-[[nodiscard]] std::string text_of_file(const std::filesystem::path& file);
+/// Reads a whole file. Throws BadInput with the reason if it cannot be read. `kind`, for messages: project, study.
+[[nodiscard]] std::string text_of_file(const std::filesystem::path& file, std::string_view kind = "project");
 
 /// The location of a problem: a value; or a key that is missing in a table, reported at another value (the table itself
 /// or another key).

@@ -56,8 +56,8 @@ std::string why_unreadable(const Project& project, const std::filesystem::path& 
     const auto real = target_outside(project, file);
     return real ? fmt::format("it is a link to outside the project's folder; name {} itself", real->string()) : "";
   }
-  if (error) return fmt::format("{} cannot be accessed: {}", path.string(), error.message());
-  return fmt::format("there is no file {}", path.string());
+  if (error) return fmt::format("it cannot be accessed: {}", error.message());
+  return "there is no such file";
 }
 
 std::string with_relative_paths(std::string text, const Project& project) {

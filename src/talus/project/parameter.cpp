@@ -130,9 +130,10 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
     return std::nullopt;
   };
   const auto parts = parts_of(path);
-  const std::string quoted = fmt::format("\"{}\"", path);
+  // Unless the place of the problem says it.
+  const std::string which = about.where.find(path) == std::string::npos ? fmt::format("\"{}\" ", path) : "";
   if (!parts || parts->size() < 2) {
-    return refuse(quoted + " is not the path of a setting", "expected table.key or table.name.key",
+    return refuse(which + "is not the path of a setting", "expected table.key or table.name.key",
                   "For example material.Scree.normal_restitution");
   }
   const std::string& table_key = parts->front();
@@ -142,7 +143,7 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
       std::ranges::find(tables_of_numbers, table_key) == tables_of_numbers.end()) {
     const auto near =
         nearest(table_key, std::vector<std::string_view>(tables_of_numbers.begin(), tables_of_numbers.end()));
-    return refuse(fmt::format("{} cannot be varied", quoted), allowed,
+    return refuse(fmt::format("{}cannot be varied", which), allowed,
                   near ? fmt::format("Did you mean {}?", *near) : "");
   }
   SettingNumber found;
@@ -154,33 +155,33 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
   if (table->repeated) {
     found.rows_ = rows_named(rows, (*parts)[next++]);
     if (found.rows_.empty()) {
-      return refuse(fmt::format("{} names no [[{}]]", quoted, table_key), names_of(rows),
+      return refuse(fmt::format("{}names no [[{}]]", which, table_key), names_of(rows),
                     "Use a name, a number from 0, or * for all");
     }
   } else {
     found.rows_ = {0};
   }
-  if (next >= parts->size()) return refuse(fmt::format("{} has no key", quoted), "expected table.name.key");
+  if (next >= parts->size()) return refuse(fmt::format("{}has no key", which), "expected table.name.key");
   const std::string& key = (*parts)[next++];
   found.setting_ = table->find(key);
   if (found.setting_ == nullptr) {
     std::vector<std::string_view> keys;
     for (const Setting& setting : table->settings) keys.push_back(setting.key);
     const auto near = nearest(key, keys);
-    return refuse(fmt::format("{}: [[{}]] has no key {}", quoted, table_key, key), "",
+    return refuse(fmt::format("{}is no setting", which), fmt::format("{} has no key {}", table->heading(), key),
                   near ? fmt::format("Did you mean {}?", *near) : "");
   }
   const std::string full = fmt::format("{}.{}", table_key, key);
   if (std::ranges::find(fixed_settings, full) != fixed_settings.end()) {
-    return refuse(fmt::format("{} cannot be varied", quoted), allowed);
+    return refuse(fmt::format("{}cannot be varied", which), allowed);
   }
   found.unit_ = found.setting_->unit;
   found.range_ = found.setting_->range;
   for (const std::size_t row : found.rows_) {
     const Place place = place_of(found.setting_->slot(rows[row]));
-    if (!place.is_number) return refuse(fmt::format("{} is not a number", quoted), allowed);
+    if (!place.is_number) return refuse(fmt::format("{}cannot be varied", which), allowed);
     if (place.number == nullptr && place.distribution == nullptr) {
-      return refuse(fmt::format("{} is not given in the project", quoted), "a study varies numbers that are",
+      return refuse(fmt::format("{}is not given in the project", which), "a study varies numbers that are",
                     "Give it a value there");
     }
     for (const std::string_view other : table->excluded_by(key)) {
@@ -188,7 +189,7 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
       const bool is_optional = !std::holds_alternative<Distribution*>(table->find(other)->slot(rows[row])) &&
                                !std::holds_alternative<double*>(table->find(other)->slot(rows[row]));
       if (is_optional && (excluding.number != nullptr || excluding.distribution != nullptr)) {
-        return refuse(fmt::format("{} has no effect", quoted), fmt::format("the project gives {} instead", other));
+        return refuse(fmt::format("{}has no effect", which), fmt::format("the project gives {} instead", other));
       }
     }
     if (next < parts->size() && place.distribution == nullptr) {
@@ -206,22 +207,22 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
     } else if (part == "rel_max") {
       found.part_ = Part::rel_max;
     } else if (part != "mean") {
-      return refuse(fmt::format("{} is not a number", quoted), "expected mean, std_dev, rel_min or rel_max");
+      return refuse(fmt::format("{}is not a number", which), "expected mean, std_dev, rel_min or rel_max");
     }
     if (found.part_ != Part::whole) found.range_ = of_part->range;
   }
-  if (next < parts->size()) return refuse(fmt::format("{} has too many parts", quoted), "");
+  if (next < parts->size()) return refuse(fmt::format("{}has too many parts", which), "");
   if (found.part_ != Part::whole) {
     for (const std::size_t row : found.rows_) {
       if (place_of(found.setting_->slot(rows[row])).distribution->kind != DistributionKind::none) continue;
-      return refuse(fmt::format("{} has no effect", quoted), "the property is a plain number in the project",
+      return refuse(fmt::format("{}has no effect", which), "the property is a plain number in the project",
                     "Give it a distribution there");
     }
   }
   if (const auto model = only_model(*found.setting_); model && *model != project.analysis.model) {
     Problem problem = about;
     problem.severity = Severity::warning;
-    problem.what = fmt::format("{} has no effect", quoted);
+    problem.what = fmt::format("{}has no effect", which);
     problem.why = fmt::format("analysis.model is \"{}\"", word(project.analysis.model));
     problems.add(std::move(problem));
   }

@@ -56,6 +56,7 @@ struct Sampling {
   SamplingMethod method = SamplingMethod::monte_carlo;
   MaterialSampling materials = MaterialSampling::per_impact;
   std::filesystem::path parameters;  // CSV, a sample of uncertain parameters; empty: none
+  std::string parameters_site;       // of a sample of several sites; empty: the only one that it may be
   std::int64_t ensembles = 50;       // with `parameters`
 };
 

@@ -12,6 +12,7 @@
 #include "talus/project/document.hpp"
 #include "talus/project/read_table.hpp"
 #include "talus/project/settings.hpp"
+#include "talus/project/toml_kind.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::project {
@@ -111,6 +112,7 @@ void share_rocks(std::vector<Seeder>& seeders, std::int64_t total) {
 Reading read_project_text(std::string_view text, const std::filesystem::path& file, const Overrides& overrides) {
   Problems problems;
   Document document(text, file.string());
+  expect_kind(document, TomlKind::project);
   for (const std::string& setting : overrides.settings) document.set(setting, problems);
 
   Reading reading;

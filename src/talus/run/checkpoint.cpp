@@ -18,6 +18,15 @@ bool is_present(const std::filesystem::path& file) {
   return std::filesystem::exists(file, ignored);
 }
 
+/// Of runs with the same inputs.
+std::optional<std::string> difference_of_programs(const RunDescription& then, const RunDescription& now) {
+  if (then.sample != now.sample) {
+    return "the same rocks take other paths: another build of talus, another processor or other libraries";
+  }
+  if (then.maps.has_value() != now.maps.has_value()) return "one was made by a talus without GDAL, without maps";
+  return std::nullopt;
+}
+
 }  // namespace
 
 Checkpoints::Checkpoints(const std::filesystem::path& folder, RunStateHeader begun, const RunDescription& description,
@@ -57,12 +66,8 @@ void Checkpoints::write(std::uint64_t next, Clock::time_point begin) {
 }
 
 std::optional<std::string> difference(const RunDescription& then, const RunDescription& now) {
-  if (auto changed = difference_of_projects(then.project, then.fingerprint, now)) return changed;
-  if (then.sample != now.sample) {
-    return "the same rocks take other paths: another build of talus, another processor or other libraries";
-  }
-  if (then.maps.has_value() != now.maps.has_value()) return "one was made by a talus without GDAL, without maps";
-  return std::nullopt;
+  if (auto changed = difference_of_inputs(inputs_of(then), inputs_of(now))) return changed;
+  return difference_of_programs(then, now);
 }
 
 Found find_checkpoint(const std::filesystem::path& folder, const RunDescription& description, const RockRange& range,
@@ -74,9 +79,13 @@ Found find_checkpoint(const std::filesystem::path& folder, const RunDescription&
   }
   Found found{read_run_state_header(file), false, ""};
   const RunStateHeader& state = *found.state;
-  if (const auto changed = difference(state.description, description)) {
-    refuse_to_resume(file, "the project is not the one that this run began with", *changed);
+  const RunDescription& begun = state.description;
+  if (auto changed = difference_of_inputs(inputs_of(begun), inputs_of(description))) {
+    if (begun.project == description.project && begun.paths_revision != description.paths_revision)
+      refuse_other_program(file, std::move(*changed));
+    refuse_to_resume(file, "the project is not the one that this run began with", std::move(*changed));
   }
+  if (auto changed = difference_of_programs(begun, description)) refuse_other_program(file, std::move(*changed));
   if (state.range != range || state.shard != shard) {
     refuse_to_resume(file, fmt::format("this is the state of {}", name_of(state.range, state.shard)),
                      fmt::format("expected {}", name_of(range, shard)));

@@ -53,6 +53,10 @@ std::optional<RunIdentity> run_in(const std::filesystem::path& folder) {
   }
 }
 
+RunInputs inputs_of(const RunIdentity& run) {
+  return {*run.project, run.fingerprint, run.talus.paths_revision.value_or(0)};
+}
+
 /// The rocks of a run, in words.
 std::string rocks_of(const RunIdentity& run) {
   if (!run.shard) return name_of({0, run.rocks.planned}, std::nullopt);
@@ -82,18 +86,33 @@ void refuse_to_resume(const std::filesystem::path& file, std::string what, std::
                          .hint = "Undo the change to resume, or run without --resume to start over"});
 }
 
-std::optional<std::string> difference_of_projects(const Json& then, const std::string& fingerprint_then,
-                                                  const RunDescription& now) {
-  const std::vector<std::string> settings = changed_settings(then, now.project);
+void refuse_other_program(const std::filesystem::path& file, std::string why) {
+  throw BadInput(Problem{.file = file.string(),
+                         .what = "this run was begun by another talus",
+                         .why = std::move(why),
+                         .hint = "Use that program to resume, or run without --resume to start over"});
+}
+
+RunInputs inputs_of(const RunDescription& description) {
+  return {description.project, description.fingerprint, description.paths_revision};
+}
+
+std::optional<std::string> difference_of_inputs(const RunInputs& then, const RunInputs& now) {
+  const std::vector<std::string> settings = changed_settings(then.project, now.project);
   if (!settings.empty()) return fmt::format("{}", fmt::join(settings, "; "));
-  if (fingerprint_then == now.fingerprint) return std::nullopt;
+  if (then.fingerprint == now.fingerprint) return std::nullopt;
+  if (then.paths_revision != now.paths_revision) {
+    return fmt::format("rocks may take other paths: the revision of its laws was {} and is {}",
+                       then.paths_revision == 0 ? "not stated" : std::to_string(then.paths_revision),
+                       now.paths_revision);
+  }
   return "all settings are the same, but the contents of their files (terrain, ground or releases) are not";
 }
 
 std::optional<std::string> replaced_results(const std::filesystem::path& folder, const RunDescription& now) {
   const auto run = run_in(folder);
   if (!run) return std::nullopt;
-  const auto difference = difference_of_projects(*run->project, run->fingerprint, now);
+  const auto difference = difference_of_inputs(inputs_of(*run), inputs_of(now));
   return fmt::format("{}{}", rocks_of(*run), difference ? fmt::format(" ({})", *difference) : "");
 }
 
@@ -107,8 +126,11 @@ FinishedRun find_finished_run(const std::filesystem::path& folder, const RunDesc
                      fmt::format("it was {} and is {}", run->talus.version, TALUS_VERSION));
   }
   if (run->fingerprint != description.fingerprint) {
-    const auto why = difference_of_projects(*run->project, run->fingerprint, description);
-    refuse_to_resume(file, "these are the results of another project", why.value_or(""));
+    const RunInputs then = inputs_of(*run), now = inputs_of(description);
+    std::string why = difference_of_inputs(then, now).value_or("");
+    if (then.project == now.project && then.paths_revision != now.paths_revision)
+      refuse_other_program(file, std::move(why));
+    refuse_to_resume(file, "these are the results of another project", std::move(why));
   }
   if (const std::string theirs = rocks_of(*run), ours = name_of(range, shard); theirs != ours)
     refuse_to_resume(file, fmt::format("these are the results of {}", theirs), fmt::format("expected {}", ours));

@@ -23,10 +23,17 @@ struct FinishedRun {
 /// for finished ones. The summary of an interrupted run stays until it is replaced.
 void remove_finished_summary(const std::filesystem::path& folder);
 
-/// The settings in which two projects differ, or that only their files differ; nullopt if they do not differ.
-[[nodiscard]] std::optional<std::string> difference_of_projects(const nlohmann::ordered_json& then,
-                                                                const std::string& fingerprint_then,
-                                                                const RunDescription& now);
+/// What the results of a run depend on.
+struct RunInputs {
+  const nlohmann::ordered_json& project;
+  const std::string& fingerprint;
+  std::uint64_t paths_revision = 0;  // 0: of a program without
+};
+
+/// Why two runs differ: their settings, or else the program's revision, or else only their files; nullopt if they do
+/// not.
+[[nodiscard]] std::optional<std::string> difference_of_inputs(const RunInputs& then, const RunInputs& now);
+[[nodiscard]] RunInputs inputs_of(const RunDescription& description);
 
 /// The results that a new run will replace: their rocks, and how that run differs; nullopt if there are none.
 [[nodiscard]] std::optional<std::string> replaced_results(const std::filesystem::path& folder,
@@ -37,5 +44,7 @@ void remove_finished_summary(const std::filesystem::path& folder);
 
 /// Refuses to resume from a file of another run.
 [[noreturn]] void refuse_to_resume(const std::filesystem::path& file, std::string what, std::string why);
+/// Refuses to resume from a file of a run of the same project by another program.
+[[noreturn]] void refuse_other_program(const std::filesystem::path& file, std::string why);
 
 }  // namespace talus::project

@@ -10,6 +10,7 @@
 #include "talus/archive/figure_counts.hpp"
 #include "talus/archive/model_json.hpp"
 #include "talus/archive/uncertainty_table.hpp"
+#include "talus/campaign/paths_revision.hpp"
 #include "talus/core/check.hpp"
 #include "talus/core/memory.hpp"
 #include "talus/export/derived_files.hpp"
@@ -126,6 +127,7 @@ RunDescription describe(const Project& project, const Model& model, const Proble
   description.name = project.name;
   description.project = echo(project);
   description.fingerprint = fingerprint_of(description.project, model);
+  description.paths_revision = paths_revision;
   description.sample = sample_of(model);
   description.rocks = model.rocks();
   description.barriers = model.barriers.size();

@@ -46,7 +46,8 @@ void warn_of_rocks(const Summary& summary, Problems& warnings) {
   };
   if (summary.lifted > 0) {
     warn("seeders", fmt::format("{} of {} rocks were to start in the ground", summary.lifted, summary.done),
-         "they were lifted onto it or lowered from a ceiling; without room for either they stay there, at rest", "");
+         "they were lifted onto it or lowered from a ceiling; without room for either they stay there, at rest",
+         "`talus check` says which seeders and rows");
   }
   warn_of_limits(summary, warnings);
   if (const std::uint64_t lost = summary.ended(EndReason::lost); lost > 0) {

@@ -365,12 +365,12 @@ Fault fault_in_shape(const Distribution& given) {
       return fmt::format("mean is {} (the {} distribution has positive values only)", given.mean, kind);
     }
     if (*given.std_dev > most_deviation_of_mean * given.mean) {
-      return fmt::format("std_dev is {} (the {} distribution expects at most {} times the mean, {})", *given.std_dev,
-                         kind, most_deviation_of_mean, most_deviation_of_mean * given.mean);
+      return fmt::format("std_dev is {} (the {} distribution expects at most {} times the mean, {:.6g})",
+                         *given.std_dev, kind, most_deviation_of_mean, most_deviation_of_mean * given.mean);
     }
     if (*given.std_dev < least_deviation * given.mean) {
       return fmt::format(
-          "std_dev is {} (the {} distribution expects at least {} times the mean, {}). For less, use \"normal\"",
+          "std_dev is {} (the {} distribution expects at least {} times the mean, {:.6g}). For less, use \"normal\"",
           *given.std_dev, kind, least_deviation, least_deviation * given.mean);
     }
   }

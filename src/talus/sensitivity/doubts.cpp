@@ -57,7 +57,9 @@ class Doubts {
       return false;
     }
     if (result.defined < runs) {
-      warn_result(result, fmt::format("{} of {} runs have no value", runs - result.defined, runs),
+      warn_result(result,
+                  fmt::format("{} of {} runs ha{} no value", runs - result.defined, runs,
+                              runs - result.defined == 1 ? "s" : "ve"),
                   "no rock reaches the line in these; the effects are those in the others",
                   "Look at the share of rocks as well");
     }

@@ -7,6 +7,7 @@
 #include "talus/core/check.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/statistics/counted_draws.hpp"
+#include "talus/statistics/without_rounding.hpp"
 
 namespace talus {
 
@@ -98,7 +99,8 @@ std::vector<std::optional<ElementaryEffects>> MorrisDesign::effects(std::span<co
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     if ((i + 1) % (plan_.inputs + 1) == 0 || !results[i] || !results[i + 1]) continue;
     const std::size_t input = input_changed(points_[i], points_[i + 1]);
-    effects[input].push_back((*results[i + 1] - *results[i]) / (points_[i + 1][input] - points_[i][input]));
+    const double change = without_rounding(*results[i + 1] - *results[i], *results[i]);
+    effects[input].push_back(change / (points_[i + 1][input] - points_[i][input]));
   }
   std::vector<std::optional<ElementaryEffects>> all;
   for (const std::vector<double>& each : effects) {

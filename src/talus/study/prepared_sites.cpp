@@ -61,7 +61,8 @@ PreparedSites::PreparedSites(const StudyFile& study, const std::vector<std::stri
 }
 
 void PreparedSites::read_sites(const StudyFile& study, const std::vector<std::string>& overrides, Problems& warnings) {
-  Problems problems;
+  Problems problems = lacking_projects(study);
+  if (problems.has_errors()) throw BadInput(std::move(problems));
   for (const GivenSite& site : study.sites) {
     stop_point();
     project::Overrides all{site.set, study.rocks, study.seed};
@@ -106,11 +107,15 @@ void PreparedSites::add_parameter(const StudyFile& study, const GivenParameter& 
       if (!why) continue;
       Problem problem = about;
       problem.what = *why;
-      problem.hint = "Narrow the range";
+      problem.hint = given.prior ? "Narrow the prior" : "Narrow the range";
       problems.add(std::move(problem));
     }
   }
   if (!given.each_site) {
+    // Other sites have another parameter of this path.
+    if (std::ranges::count(study.parameters, given.path, &GivenParameter::path) > 1) {
+      for (const std::string& site : given.sites) parameter.name += "@" + site;
+    }
     parameters_.push_back(std::move(parameter));
     return;
   }

@@ -18,7 +18,7 @@ namespace talus::study {
 
 /// A parameter of a study: one value, at one or several sites.
 struct Parameter {
-  std::string name;  // its path; with `@SITE` if each site has its own
+  std::string name;  // its path; with `@SITE` for each of its sites if others have another one of this path
   std::string unit;
   project::Prior prior;
   std::vector<std::optional<project::SettingNumber>> at_site;  // by site; nullopt: not there

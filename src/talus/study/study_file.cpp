@@ -7,6 +7,7 @@
 #include "talus/core/nearest.hpp"
 #include "talus/core/utf8.hpp"
 #include "talus/project/read_table.hpp"
+#include "talus/project/toml_kind.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::study {
@@ -147,7 +148,8 @@ void StudyProblems::check_parameters(const StudyFile& study) {
              "Write range = [least, greatest]");
     }
     if (!each.range.empty() && each.range.size() != 2) {
-      refuse(table, k, "range", fmt::format("range has {} numbers", each.range.size()), "expected [least, greatest]");
+      refuse(table, k, "range", fmt::format("range has {}", project::counted(each.range.size(), "number", "numbers")),
+             "expected [least, greatest]");
     } else if (each.range.size() == 2 && !(each.range[0] < each.range[1])) {
       refuse(table, k, "range", fmt::format("range is [{:g}, {:g}]", each.range[0], each.range[1]),
              "expected [least, greatest]", each.range[0] > each.range[1] ? "Exchange the two" : "");
@@ -164,10 +166,35 @@ void StudyProblems::check_parameters(const StudyFile& study) {
   }
 }
 
+std::optional<Problem> lacking_file(const StudyFile& study, const std::filesystem::path& file, std::string_view key,
+                                    int line, std::string where) {
+  std::error_code error;
+  const std::filesystem::path place = study.file.parent_path() / file;
+  if (file.empty() || place.string().starts_with("/vsi") || std::filesystem::exists(place, error) || error)
+    return std::nullopt;
+  return Problem{.file = study.file.string(),
+                 .line = line,
+                 .where = std::move(where),
+                 .what = fmt::format("{} is \"{}\"", key, file.string()),
+                 .why = "there is no such file",
+                 .hint = "Paths are relative to the study file"};
+}
+
+Problems lacking_projects(const StudyFile& study) {
+  Problems problems;
+  for (const GivenSite& site : study.sites) {
+    if (auto lacking = lacking_file(study, site.project, "project", site.line, fmt::format("site \"{}\"", site.name)))
+      problems.add(std::move(*lacking));
+  }
+  return problems;
+}
+
 Problems read_study_text(std::string_view text, const std::filesystem::path& file, StudyFile& study,
                          const StudyReader& reader) {
   Problems problems;
   const project::Document document(text, file.string());
+  const bool is_calibration = std::ranges::count(reader.tables, "observations", &project::Table::key) > 0;
+  expect_kind(document, is_calibration ? project::TomlKind::calibration : project::TomlKind::sensitivity);
   study.file = file;
   project::ValueReader values(document, problems, reader.tables);
   for (const project::Table& table : reader.tables) {

@@ -113,6 +113,12 @@ struct StudyReader {
   std::function<void(StudyProblems&)> check;
 };
 
+/// A problem if a file that a study names by `key` is not there.
+[[nodiscard]] std::optional<Problem> lacking_file(const StudyFile& study, const std::filesystem::path& file,
+                                                  std::string_view key, int line, std::string where);
+/// The projects of the sites that are not there.
+[[nodiscard]] Problems lacking_projects(const StudyFile& study);
+
 /// Reads the text of a file of this name into `study` and returns the warnings. Throws BadInput with every problem of
 /// the file, in its order. The files that it names are not read.
 [[nodiscard]] Problems read_study_text(std::string_view text, const std::filesystem::path& file, StudyFile& study,

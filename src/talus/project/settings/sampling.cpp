@@ -36,6 +36,13 @@ Table sampling_table() {
                    "(`material.Scree.normal_restitution`). The rocks are divided into ensembles, each with a "
                    "set drawn by weight.",
                .source = "Talus"},
+              {.key = "parameters_site",
+               .slot = member(&Sampling::parameters_site),
+               .without_it = "the only site whose columns name numbers of this project",
+               .applies_when = {{.any_of = {given("parameters")}, .otherwise = Otherwise::warned}},
+               .meaning = "Site of the study whose columns `PATH@SITE` apply, where a posterior of several sites has a "
+                          "column of each.",
+               .source = "Talus"},
               {.key = "ensembles",
                .slot = member(&Sampling::ensembles),
                .range = {.least = 2,
