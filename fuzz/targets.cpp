@@ -23,6 +23,7 @@
 #include "talus/meshing/survey_surface.hpp"
 #include "talus/model/model.hpp"
 #include "talus/project/echo.hpp"
+#include "talus/project/factor_set.hpp"
 #include "talus/project/read.hpp"
 #include "talus/report/report.hpp"
 #include "talus/run/run_results.hpp"
@@ -110,6 +111,10 @@ Verdict read_mesh(std::string_view input, const fs::path&) {
     problems.throw_if_any();
     if (mesh.triangles.size() <= most_parts) (void)clean(std::move(mesh), {.source = "mesh"});
   });
+}
+
+Verdict read_factors(std::string_view input, const fs::path&) {
+  return verdict_of([&] { (void)project::factor_table(project::read_factor_set({input, "factors.toml"})); });
 }
 
 Verdict read_grid(std::string_view input, const fs::path& folder) {

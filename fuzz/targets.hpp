@@ -18,6 +18,9 @@ using Read = Verdict (*)(std::string_view input, const std::filesystem::path& fo
 /// and its terrain is small, its model is built.
 Verdict read_project(std::string_view input, const std::filesystem::path& folder);
 
+/// A set of factors for the check of a barrier.
+Verdict read_factors(std::string_view input, const std::filesystem::path& folder);
+
 /// The first byte selects OBJ, STL or PLY, the others are the file. A small mesh is cleaned.
 Verdict read_mesh(std::string_view input, const std::filesystem::path& folder);
 
@@ -43,7 +46,8 @@ struct Target {
   Read read;
 };
 
-inline constexpr std::array<Target, 7> targets{{{"project", &read_project},
+inline constexpr std::array<Target, 8> targets{{{"project", &read_project},
+                                                {"factors", &read_factors},
                                                 {"mesh", &read_mesh},
                                                 {"points", &read_points},
                                                 {"grid", &read_grid},

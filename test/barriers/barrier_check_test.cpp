@@ -8,12 +8,11 @@ namespace {
 /// A survey of average quality, restitutions from literature, moderate consequences.
 CheckFactors usual() {
   CheckFactors factors;
-  factors.trajectory = 1.10;
-  factors.topography = 1.02;
-  factors.volume = 1.05;
-  factors.density = 1.0;
-  factors.risk = 1.10;
-  factors.energy = 1.2;
+  factors.velocity = factors.height = 1.10 * 1.02;
+  factors.mass = 1.05;
+  factors.energy = 1.10;
+  factors.capacity = 1.2;
+  factors.elongation = 1.3;
   factors.clearance = 0.5;
   factors.clears_half_the_block = true;
   return factors;
@@ -29,6 +28,19 @@ TEST(BarrierCheck, AgreesWithAHandCalculation) {
   // 3 m x 1.122 = 3.366 m, and 0.5 m above, or the radius of a larger block.
   EXPECT_NEAR(needed_height(usual(), 3, 0.45), 3.866, 1e-12);
   EXPECT_NEAR(needed_height(usual(), 3, 0.80), 4.166, 1e-12);
+  EXPECT_NEAR(*needed_clearance(usual(), 5), 6.5, 1e-12);
+  EXPECT_NEAR(*most_elongation(usual(), 6.5), 5, 1e-12);
+}
+
+// Separate factors on energy and height, as in ONR 24810: neither touches the other.
+TEST(BarrierCheck, MayHaveSeparateFactorsOnEnergyAndHeight) {
+  CheckFactors factors;
+  factors.energy = 1.25;
+  EXPECT_EQ(needed_maximum_energy(factors, 400e3), 500e3);
+  EXPECT_EQ(needed_height(factors, 3, 0.5), 3);
+  factors.height = 1.5;
+  EXPECT_EQ(needed_maximum_energy(factors, 400e3), 500e3);
+  EXPECT_EQ(needed_height(factors, 3, 0.5), 4.5);
 }
 
 TEST(BarrierCheck, UsesTheDesignBlockIfGiven) {
@@ -44,7 +56,7 @@ TEST(BarrierCheck, UsesTheDesignBlockIfGiven) {
 
 TEST(BarrierCheck, OfTheServiceLevelNeedsThreeTimesTheEnergyAsMEL) {
   CheckFactors factors = usual();
-  factors.energy = 1;
+  factors.capacity = 1;
   const double once = needed_maximum_energy(factors, 100e3);
   factors.level = KitLevel::service;
   EXPECT_DOUBLE_EQ(needed_maximum_energy(factors, 100e3), 3 * once);

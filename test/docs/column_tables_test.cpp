@@ -50,6 +50,7 @@ const Tables& tables() {
                              {"envelopes.csv", column_texts<EnvelopeRow>()},
                              {"design.csv", column_texts<DesignRow>()},
                              {"design_ranking.csv", column_texts<RankingRow>()},
+                             {"design_pairs.csv", column_texts<PairRow>()},
                              {"sensitivity.csv", column_texts<sensitivity::EffectRow>()},
                              {"uncertainty.csv", column_texts<UncertaintyRow>()},
                              {"sources.csv", column_texts<SourceRow>()},

@@ -82,6 +82,15 @@ name = "Track"
 line = 17
 height_m = 5
 inclination_deg = -5
+[[kit]]
+name = "Net"
+heights_m = [3, 3.5]
+mel_kJ = 1000
+sel_kJ = 330
+tested_height_m = 3
+elongation_m = 4.5
+residual_height = "B"
+cost_per_m = 900
 [design]
 lines = ["Fence"]
 protect = "Track"
@@ -146,6 +155,13 @@ line = [[15, 0], [15, 50]]
 height_m = 3.5
 [design]
 block_mass_kg = 1200
+standard_file = "canton.toml"
+action_energy_factor = 1.1
+action_height_factor = 1.2
+elongation_factor = 1.3
+clearance_m = 6
+free_end_m = 3
+pairs = true
 [output]
 paths = "none"
 runout_along = [[0, 10], [40, 10]]

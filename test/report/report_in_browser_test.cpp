@@ -132,8 +132,8 @@ nlohmann::ordered_json design_line(const std::string& name) {
   const Json needs{{"energy_J", 2.5e6}, {"class", 6}, {"height_m", 8.35}};
   const Json worst{{"energy_J", 3.5e6}, {"class", 7}, {"height_m", 9.5}};
   const auto section = [&](double from_m, const Json& asks) {
-    return Json{{"from_m", from_m}, {"to_m", from_m + 20},       {"rocks", 500},
-                {"share", share},   {"percentiles", quantities}, {"needs", asks}};
+    return Json{{"from_m", from_m},          {"to_m", from_m + 20}, {"rocks", 500},         {"share", share},
+                {"percentiles", quantities}, {"needs", asks},       {"clearance_m", 23.456}};
   };
   return {{"name", name},
           {"length_m", 437.18971},
@@ -142,6 +142,8 @@ nlohmann::ordered_json design_line(const std::string& name) {
           {"percentiles", quantities},
           {"needs", needs},
           {"needs_at_upper_end", needs},
+          {"clearance_m", 23.456},
+          {"most_elongation_m", 18.043},
           {"sections", Json::array({section(0, needs), section(20, worst)})}};
 }
 
@@ -184,9 +186,32 @@ nlohmann::ordered_json wide_summary() {
                  {"above", 12345},
                  {"through", 12345},
                  {"beside", 12345},
-                 {"cost", 93068.3}};
+                 {"cost", 93068.3},
+                 {"kit", "A net of 1500 kJ of a maker"},
+                 {"needs_clearance_m", 12.345},
+                 {"clearance_m", 23.456},
+                 {"residual_height_m", 2.55},
+                 {"below_residual_share", share}};
+  const Json of_pair{
+      {"line", "Upper of the two lines"}, {"kit", "A net of 1500 kJ of a maker"}, {"height_m", 5}, {"energy_J", 1.5e6}};
+  const Json pair{
+      {"first", of_pair},    {"second", of_pair},          {"suffices", true},        {"sure", false},
+      {"rocks", 123456},     {"caught", 123456},           {"caught_share", share},   {"caught_by_first", 123456},
+      {"at_second", 123456}, {"caught_by_second", 123456}, {"beside", 12345},         {"cost", 193068.3},
+      {"overlap_m", -12.34}, {"distance_m", 45.67},        {"needs_overlap_m", 23.45}};
+  const std::string long_text =
+      "A. Author and B. Author, A publication about the design of barriers, Journal of Rockfall 6 (2014), 123-145";
   summary["design"] = {{"standard", "UNI 11211-4"},
-                       {"factors", {{"of_total_energy", false}, {"level", "MEL"}, {"energy", 1.2}}},
+                       {"factors", {{"of_total_energy", false}, {"level", "MEL"}, {"clearance_m", 0.5}}},
+                       {"applied_factors", Json::array({{{"symbol", "γ_VolF1"},
+                                                         {"key", "action_height_factor"},
+                                                         {"multiplies", "velocity, height"},
+                                                         {"value", 1.1},
+                                                         {"source", long_text},
+                                                         {"not_read", long_text}}})},
+                       {"standard_not_read", long_text},
+                       {"free_end_m", 5},
+                       {"pairs", Json::array({pair, pair})},
                        {"design_percentile", 95},
                        {"confidence", 0.95},
                        {"catch_share", 0.95},

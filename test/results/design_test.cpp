@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "results/crossing_rocks.hpp"
 #include "support/dice.hpp"
 #include "support/saved.hpp"
 #include "talus/results/design_result.hpp"
@@ -14,41 +15,15 @@
 namespace talus {
 namespace {
 
+using test::Crosses;
+using test::crossing_rock;
+using test::result_of;
+using test::Seen;
+using test::show;
 using testing_tools::Dice;
 using testing_tools::expect_damage_is_survived;
 using testing_tools::saved;
 using testing_tools::takes;
-
-/// A rock of 200 kg and a radius of 0.3 m, with a rotational energy of a tenth of its translational energy.
-struct Crosses {
-  std::uint32_t barrier;
-  double time, velocity, height, station;
-  bool above = false;  // above the panel
-};
-
-struct Seen {
-  RockRecord record;
-  RockLog log{false};
-};
-
-Seen rock_that(const std::vector<Crosses>& crossings) {
-  Seen seen;
-  seen.record.body = {200, 0.3, 8};
-  for (const Crosses& crossing : crossings) {
-    Motion motion;
-    motion.time = crossing.time;
-    motion.velocity = crossing.velocity * Vec3(0.6, 0, -0.8);
-    motion.spin = Vec3(0, crossing.velocity * std::sqrt(0.1 * 200 / 8), 0);
-    if (crossing.above) {
-      seen.log.passed_above.push_back({BarrierId{crossing.barrier}, 1, motion, crossing.height, crossing.station});
-    } else {
-      BarrierHit hit{BarrierId{crossing.barrier}, motion, crossing.height};
-      hit.station = crossing.station;
-      seen.log.hits.push_back(hit);
-    }
-  }
-  return seen;
-}
 
 /// Two lines, 0 of 25 m in sections of 10 m, 2 of 8 m; kits of 2 and 4 m, 10 and 20 kJ.
 DesignPlan plan_without_factors() {
@@ -60,18 +35,6 @@ DesignPlan plan_without_factors() {
   plan.catch_share = 0.75;
   plan.cost = {1, 1};
   return plan;
-}
-
-void show(SummingObserver& observer, const std::vector<Seen>& rocks) {
-  const auto part = observer.new_part();
-  for (const Seen& seen : rocks) part->see(seen.record, seen.log);
-  observer.commit(*part);
-}
-
-DesignResult result_of(const DesignPlan& plan, const std::vector<Seen>& rocks) {
-  DesignObserver observer(plan, rocks.size());
-  show(observer, rocks);
-  return evaluate(observer.plan(), observer.tally());
 }
 
 TEST(DesignLine, IsCutIntoSections) {
@@ -99,12 +62,12 @@ TEST(DesignLine, BeginsAtItsFirstPointOnTheTerrain) {
 }
 
 TEST(Design, TakesTheFirstCrossingOfEachRockAtAnyHeight) {
-  const DesignResult result =
-      result_of(plan_without_factors(),
-                {rock_that({{0, 1.0, 10, 1.5, 5}}),
-                 rock_that({{0, 3.0, 4, 0.5, 15}, {0, 2.0, 6, 2.5, 5, true}}),                // above, and back into it
-                 rock_that({{0, 1.0, 12, 1.0, 22}, {1, 1.5, 90, 9, 5}, {2, 2.0, 14, 3, 4}}),  // a line without a design
-                 rock_that({})});
+  const DesignResult result = result_of(
+      plan_without_factors(),
+      {crossing_rock({{0, 1.0, 10, 1.5, 5}}),
+       crossing_rock({{0, 3.0, 4, 0.5, 15}, {0, 2.0, 6, 2.5, 5, true}}),                // above, and back into it
+       crossing_rock({{0, 1.0, 12, 1.0, 22}, {1, 1.5, 90, 9, 5}, {2, 2.0, 14, 3, 4}}),  // a line without a design
+       crossing_rock({})});
   const DesignResult::Line& upper = result.lines[0];
   EXPECT_EQ(upper.whole.rocks, 3u);
   EXPECT_EQ(upper.whole.from, 0);
@@ -133,13 +96,13 @@ TEST(Design, TakesTheFirstCrossingOfEachRockAtAnyHeight) {
 TEST(Design, AppliesTheCheck) {
   DesignPlan plan = plan_without_factors();
   plan.design_percentile = 50;
-  plan.factors.trajectory = 1.1;
-  plan.factors.volume = 1.05;
-  plan.factors.energy = 1.2;
+  plan.factors.velocity = plan.factors.height = 1.1;
+  plan.factors.mass = 1.05;
+  plan.factors.capacity = 1.2;
   plan.factors.clearance = 0.2;
   plan.factors.clears_half_the_block = true;
   std::vector<Seen> rocks;
-  for (int k = 1; k <= 9; ++k) rocks.push_back(rock_that({{0, 1, k * 10.0, k * 1.0, 5}}));
+  for (int k = 1; k <= 9; ++k) rocks.push_back(crossing_rock({{0, 1, k * 10.0, k * 1.0, 5}}));
   const DesignFigures whole = result_of(plan, rocks).lines[0].whole;
   // The median: 50 m/s, 250 kJ, 5 m; the radius of 0.3 m is more than the clearance.
   EXPECT_DOUBLE_EQ(whole.demand->maximum_energy, 250e3 * 1.05 * 1.1 * 1.1 * 1.2);
@@ -159,11 +122,11 @@ TEST(Design, AppliesTheCheck) {
 /// of them at the lower line, all with 14.4 kJ and below 2 m.
 std::vector<Seen> eight_rocks() {
   std::vector<Seen> rocks;
-  for (int k = 0; k < 6; ++k) rocks.push_back(rock_that({{0, 1, 10, 1, 5}}));
-  rocks.push_back(rock_that({{0, 1, 10, 3, 15, true}}));
-  rocks.push_back(rock_that({{0, 1, 12, 1, 15}}));
+  for (int k = 0; k < 6; ++k) rocks.push_back(crossing_rock({{0, 1, 10, 1, 5}}));
+  rocks.push_back(crossing_rock({{0, 1, 10, 3, 15, true}}));
+  rocks.push_back(crossing_rock({{0, 1, 12, 1, 15}}));
   for (int k = 0; k < 4; ++k) {
-    const Seen below = rock_that({{2, 2, 12, 1.5, 4}});
+    const Seen below = crossing_rock({{2, 2, 12, 1.5, 4}});
     rocks[static_cast<std::size_t>(2 * k)].log.hits.push_back(below.log.hits.front());
   }
   return rocks;
@@ -223,9 +186,9 @@ TEST(Design, NamesTheEndsOfTheLineAsTheLimit) {
   plan.lines.resize(1);
   std::vector<Seen> rocks;
   for (int k = 0; k < 10; ++k) {
-    Seen seen = rock_that({{2, 2, 12, 1.5, 4}});
+    Seen seen = crossing_rock({{2, 2, 12, 1.5, 4}});
     if (k < 6) {
-      const Seen at_upper = rock_that({{0, 1, 10, k < 5 ? 1.0 : 3.0, 5, k == 5}});
+      const Seen at_upper = crossing_rock({{0, 1, 10, k < 5 ? 1.0 : 3.0, 5, k == 5}});
       seen.log.hits.insert(seen.log.hits.begin(), at_upper.log.hits.begin(), at_upper.log.hits.end());
       seen.log.passed_above = at_upper.log.passed_above;
     }
@@ -275,8 +238,8 @@ TEST(Design, KeepsAHigherKitThatNeedsLessEnergy) {
   plan.lines.resize(1);
   plan.catch_share = 0.5;
   std::vector<Seen> rocks;
-  for (int k = 0; k < 2; ++k) rocks.push_back(rock_that({{0, 1, 12, 1e-15, 5}}));
-  for (int k = 0; k < 2; ++k) rocks.push_back(rock_that({{0, 1, 10, 3, 5}}));
+  for (int k = 0; k < 2; ++k) rocks.push_back(crossing_rock({{0, 1, 12, 1e-15, 5}}));
+  for (int k = 0; k < 2; ++k) rocks.push_back(crossing_rock({{0, 1, 10, 3, 5}}));
   const DesignResult result = result_of(plan, rocks);
   ASSERT_EQ(result.ranking.size(), 2u);
   // Both cost the same, and the lower kit comes first.
@@ -308,10 +271,10 @@ TEST(Design, CountsTheRocksThatReachTheProtectedLine) {
   DesignPlan plan = plan_without_factors();
   plan.protect = 2;
   std::vector<Seen> rocks;
-  for (int k = 0; k < 4; ++k) rocks.push_back(rock_that({{0, 1, 10, 1, 5}}));  // end between the two
-  for (int k = 0; k < 2; ++k) rocks.push_back(rock_that({{0, 1, 10, 1, 5}, {2, 2, 12, 1, 4}}));
-  rocks.push_back(rock_that({{0, 3, 10, 1, 5}, {2, 2, 12, 1, 4}}));
-  rocks.push_back(rock_that({{2, 2, 12, 1, 4}}));
+  for (int k = 0; k < 4; ++k) rocks.push_back(crossing_rock({{0, 1, 10, 1, 5}}));  // end between the two
+  for (int k = 0; k < 2; ++k) rocks.push_back(crossing_rock({{0, 1, 10, 1, 5}, {2, 2, 12, 1, 4}}));
+  rocks.push_back(crossing_rock({{0, 3, 10, 1, 5}, {2, 2, 12, 1, 4}}));
+  rocks.push_back(crossing_rock({{2, 2, 12, 1, 4}}));
   const DesignResult result = result_of(plan, rocks);
   EXPECT_EQ(result.lines[0].whole.rocks, 7u) << "figures along a line are of all rocks that cross it";
   const auto kit =
@@ -336,7 +299,7 @@ std::vector<Seen> random_rocks(Dice& dice, std::size_t count) {
                              dice.between(0, 25), dice.chance(0.3)});
       }
     }
-    rocks.push_back(rock_that(crossings));
+    rocks.push_back(crossing_rock(crossings));
   }
   return rocks;
 }
@@ -348,6 +311,8 @@ TEST(Design, IsTheSameForAnySplitAndOrderOfTheRocks) {
     for (const bool protects : {false, true}) {
       DesignPlan plan = plan_without_factors();
       if (protects) plan.protect = 2;
+      plan.pairs = {{0, 1}};
+      plan.free_end = 1;
       const auto make = [&] { return std::make_unique<DesignObserver>(plan, planned); };
       const auto whole = make();
       show(*whole, rocks);
@@ -380,8 +345,10 @@ struct Handle {
 TEST(Design, SurvivesDamagedBytes) {
   Dice dice(19);
   const std::vector<Seen> rocks = random_rocks(dice, 30);
+  DesignPlan plan = plan_without_factors();
+  plan.pairs = {{0, 1}};
   for (const std::uint64_t planned : {30U, 5'000'000U}) {
-    const auto make = [&] { return std::make_unique<DesignObserver>(plan_without_factors(), planned); };
+    const auto make = [&] { return std::make_unique<DesignObserver>(plan, planned); };
     const auto whole = make();
     show(*whole, rocks);
     expect_damage_is_survived<Handle>(
@@ -401,7 +368,9 @@ TEST(Design, RefusesStatesOfOtherLinesOrKits) {
   DesignObserver fewer_lines = with([](DesignPlan& p) { p.lines.pop_back(); });
   DesignObserver more_sections = with([](DesignPlan& p) { p.lines[1].sections = 2; });
   DesignObserver more_heights = with([](DesignPlan& p) { p.heights.push_back(5); });
-  for (DesignObserver* other : {&fewer_lines, &more_sections, &more_heights}) EXPECT_FALSE(takes(*other, saved(mine)));
+  DesignObserver with_pairs = with([](DesignPlan& p) { p.pairs = {{0, 1}}; });
+  for (DesignObserver* other : {&fewer_lines, &more_sections, &more_heights, &with_pairs})
+    EXPECT_FALSE(takes(*other, saved(mine)));
   EXPECT_TRUE(takes(mine, saved(mine)));
 }
 

@@ -57,6 +57,9 @@ DesignRow row_of(const DesignPlan& plan, const DesignLine& line, std::string sec
     row.needs_high_class = class_of(demand->kit_class);
     row.needs_high_height_m = demand->height;
   }
+  row.lateral = figures.lateral;
+  row.clearance_m = figures.clearance;
+  row.most_elongation_m = figures.most_elongation;
   return row;
 }
 
@@ -82,6 +85,43 @@ RankingRow row_of(const DesignPlan& plan, const KitChoice& kit, std::uint64_t ra
   row.through = kit.through;
   row.beside = kit.beside;
   row.limit = limit_text(plan, kit);
+  if (kit.kit) row.kit = plan.kits[*kit.kit].name;
+  row.needs_clearance_m = kit.needed_clearance;
+  row.clearance_m = kit.clearance;
+  row.residual_height_m = kit.residual_height;
+  if (kit.below_residual) row.below_residual_share = kit.below_residual->value;
+  return row;
+}
+
+PairRow row_of(const DesignPlan& plan, const PairChoice& choice, std::uint64_t rank) {
+  const auto name_of = [&](const PairKit& kit) { return kit.kit ? plan.kits[*kit.kit].name : std::string(); };
+  const DesignPair& pair = plan.pairs[choice.pair];
+  PairRow row{.rank = rank,
+              .first = plan.lines[choice.first.line].name,
+              .first_kit = name_of(choice.first),
+              .first_height_m = choice.first.height,
+              .first_mel_kJ = choice.first.maximum_energy / 1000,
+              .second = plan.lines[choice.second.line].name,
+              .second_kit = name_of(choice.second),
+              .second_height_m = choice.second.height,
+              .second_mel_kJ = choice.second.maximum_energy / 1000,
+              .suffices = choice.suffices,
+              .is_sure = choice.is_sure,
+              .cost = choice.cost};
+  if (const auto& caught = choice.caught) {
+    row.rocks = caught->of;
+    row.caught = caught->rocks;
+    row.caught_share = caught->value;
+    row.caught_share_low = caught->low;
+    row.caught_share_high = caught->high;
+  }
+  row.caught_by_first = choice.by_first;
+  row.at_second = choice.at_second;
+  row.caught_by_second = choice.by_second;
+  row.beside = choice.beside;
+  row.overlap_m = pair.overlap;
+  row.distance_m = pair.distance;
+  row.needs_overlap_m = choice.needed_overlap;
   return row;
 }
 
@@ -126,6 +166,13 @@ std::string ranking_table(const DesignPlan& plan, const DesignResult& result) {
   return text;
 }
 
+std::string pair_table(const DesignPlan& plan, const DesignResult& result) {
+  std::string text = header_of<PairRow>();
+  std::uint64_t rank = 0;
+  for (const PairChoice& pair : result.pairs) append_row(text, row_of(plan, pair, ++rank));
+  return text;
+}
+
 void write_design_tables(const std::filesystem::path& folder, const DesignPlan& plan, const DesignResult& result) {
   const auto write = [&](const char* name, const std::string& text) {
     OutputFile file(folder / name);
@@ -134,12 +181,14 @@ void write_design_tables(const std::filesystem::path& folder, const DesignPlan& 
   };
   write(DesignRow::file_name, design_table(plan, result));
   write(RankingRow::file_name, ranking_table(plan, result));
+  if (!plan.pairs.empty()) write(PairRow::file_name, pair_table(plan, result));
 }
 
 void remove_design_tables(const std::filesystem::path& folder) {
   std::error_code ignored;
   std::filesystem::remove(folder / DesignRow::file_name, ignored);
   std::filesystem::remove(folder / RankingRow::file_name, ignored);
+  std::filesystem::remove(folder / PairRow::file_name, ignored);
 }
 
 }  // namespace talus

@@ -1,5 +1,5 @@
 #pragma once
-// design.csv and design_ranking.csv: the design of barriers for spreadsheets.
+// design.csv, design_ranking.csv and design_pairs.csv: the design of barriers for spreadsheets.
 
 #include <array>
 #include <cstdint>
@@ -21,7 +21,7 @@ struct DesignQuantity {
   std::string_view name, unit_in_name, unit, meaning;
 };
 /// By CrossingQuantity.
-inline constexpr std::array<DesignQuantity, crossing_quantity_count - 1> design_quantities{
+inline constexpr std::array<DesignQuantity, shown_quantity_count> design_quantities{
     {{"ke_translational", "J", "J", "translational kinetic energy"},
      {"ke_total", "J", "J", "total kinetic energy"},
      {"velocity", "m_s", "m/s", "velocity"},
@@ -46,7 +46,7 @@ struct DesignRow {
   std::optional<std::uint64_t> needs_class{};
   std::optional<double> needs_height_m{}, needs_high_mel_kJ{};
   std::optional<std::uint64_t> needs_high_class{};
-  std::optional<double> needs_high_height_m{};
+  std::optional<double> needs_high_height_m{}, lateral{}, clearance_m{}, most_elongation_m{};
 
   static constexpr auto columns() {
     using R = DesignRow;
@@ -67,7 +67,12 @@ struct DesignRow {
         quantity("needs_high_mel_kJ", "kJ", "the same by the upper ends of the confidence intervals",
                  &R::needs_high_mel_kJ),
         quantity("needs_high_class", "", "the same", &R::needs_high_class),
-        quantity("needs_high_height_m", "m", "the same", &R::needs_high_height_m));
+        quantity("needs_high_height_m", "m", "the same", &R::needs_high_height_m),
+        quantity("lateral", "", "3D: metres along the line per metre across it, on plan: `design_percentile`",
+                 &R::lateral),
+        quantity("clearance_m", "m", "distance on plan to what is protected, D_A", &R::clearance_m),
+        quantity("most_elongation_m", "m", "elongation in its test that a kit may have there at most, D_A / k_d",
+                 &R::most_elongation_m));
   }
   [[nodiscard]] static std::vector<ColumnText> family_texts();
 };
@@ -86,6 +91,8 @@ struct RankingRow {
   std::optional<double> caught_share{}, caught_share_low{}, caught_share_high{};
   std::uint64_t above = 0, through = 0, beside = 0;
   std::string limit{};
+  std::string kit{};
+  std::optional<double> needs_clearance_m{}, clearance_m{}, residual_height_m{}, below_residual_share{};
 
   static constexpr auto columns() {
     using R = RankingRow;
@@ -111,11 +118,67 @@ struct RankingRow {
         quantity("caught_share_high", "", "upper end of its confidence interval", &R::caught_share_high),
         quantity("above", "", "rocks that are not caught because they are too high", &R::above),
         quantity("through", "", "because they have too much energy", &R::through),
-        quantity("beside", "", "because they are never at the line", &R::beside),
+        quantity("beside", "", "because they are never at the line, or at its free ends", &R::beside),
         word("limit",
-             "what keeps the kit from catching `catch_share`, and what would help: the ends of the line, else its "
-             "height, else its energy",
-             &R::limit));
+             "what keeps the kit from catching `catch_share`, and what would help: the clearance, else the ends of the "
+             "line, else its height, else its energy",
+             &R::limit),
+        word("kit", "name of the `[[kit]]`", &R::kit),
+        quantity("needs_clearance_m", "m", "distance on plan that its elongation needs, D_d", &R::needs_clearance_m),
+        quantity("clearance_m", "m", "the smallest distance on plan from the line to what is protected, D_A",
+                 &R::clearance_m),
+        quantity("residual_height_m", "m", "height that remains at least after an impact at its MEL",
+                 &R::residual_height_m),
+        quantity("below_residual_share", "", "share of the rocks that are below that height, whatever their energy",
+                 &R::below_residual_share));
+  }
+};
+
+/// A row of design_pairs.csv: two lines, one behind the other, with a kit each.
+struct PairRow {
+  static constexpr const char* file_name = "design_pairs.csv";
+
+  std::uint64_t rank = 0;
+  std::string first{}, first_kit{};
+  double first_height_m = 0, first_mel_kJ = 0;
+  std::string second{}, second_kit{};
+  double second_height_m = 0, second_mel_kJ = 0;
+  bool suffices = false, is_sure = false;
+  double cost = 0;
+  std::uint64_t rocks = 0, caught = 0;
+  std::optional<double> caught_share{}, caught_share_low{}, caught_share_high{};
+  std::uint64_t caught_by_first = 0, at_second = 0, caught_by_second = 0, beside = 0;
+  std::optional<double> overlap_m{}, distance_m{}, needs_overlap_m{};
+
+  static constexpr auto columns() {
+    using R = PairRow;
+    return std::tuple(
+        key("rank", "place of the pair, from 1", &R::rank),
+        word("first", "the line that most of the rocks that cross both cross first", &R::first),
+        word("first_kit", "name of the `[[kit]]` there", &R::first_kit),
+        quantity("first_height_m", "m", "nominal height of the kit", &R::first_height_m),
+        quantity("first_mel_kJ", "kJ", "its maximum energy level", &R::first_mel_kJ),
+        word("second", "the other line", &R::second), word("second_kit", "the same", &R::second_kit),
+        quantity("second_height_m", "m", "the same", &R::second_height_m),
+        quantity("second_mel_kJ", "kJ", "the same", &R::second_mel_kJ),
+        word("suffices", "`yes`: together they catch `catch_share` of the rocks", &R::suffices),
+        word("sure", "`yes`: the whole confidence interval of that share is on the same side of `catch_share`",
+             &R::is_sure),
+        quantity("cost", "", "cost of both", &R::cost), quantity("rocks", "", "rocks that count", &R::rocks),
+        quantity("caught", "", "rocks that either catches", &R::caught),
+        quantity("caught_share", "", "their share", &R::caught_share),
+        quantity("caught_share_low", "", "lower end of its confidence interval", &R::caught_share_low),
+        quantity("caught_share_high", "", "upper end of its confidence interval", &R::caught_share_high),
+        quantity("caught_by_first", "", "rocks that the first catches", &R::caught_by_first),
+        quantity("at_second", "", "others that are at the second", &R::at_second),
+        quantity("caught_by_second", "", "of these, rocks that it catches", &R::caught_by_second),
+        quantity("beside", "", "rocks that are never at either line, or at their free ends", &R::beside),
+        quantity("overlap_m", "m", "staggered lines: how far they overlap on plan; negative: the gap between them",
+                 &R::overlap_m),
+        quantity("distance_m", "m", "the distance between them there", &R::distance_m),
+        quantity("needs_overlap_m", "m",
+                 "overlap that the directions of the rocks ask for: that distance times `lateral` of the first line",
+                 &R::needs_overlap_m));
   }
 };
 
@@ -124,7 +187,10 @@ struct RankingRow {
 /// A row for each kit, the best first.
 [[nodiscard]] std::string ranking_table(const DesignPlan& plan, const DesignResult& result);
 
-/// Writes both into a run's folder. Throws BadInput if that fails.
+/// A row for each choice of two kits, the best first.
+[[nodiscard]] std::string pair_table(const DesignPlan& plan, const DesignResult& result);
+
+/// Writes them into a run's folder, the pairs only if the plan has any. Throws BadInput if that fails.
 void write_design_tables(const std::filesystem::path& folder, const DesignPlan& plan, const DesignResult& result);
 /// Removes those that an earlier run left there.
 void remove_design_tables(const std::filesystem::path& folder);

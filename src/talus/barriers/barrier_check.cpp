@@ -38,14 +38,23 @@ double radius_to_check(const CheckFactors& factors, double mass, double radius) 
 }
 
 double needed_maximum_energy(const CheckFactors& factors, double energy) {
-  const double of_velocity = factors.trajectory * factors.topography;
-  const double design = energy * factors.volume * factors.density * of_velocity * of_velocity * factors.risk;
-  return design * factors.energy * (factors.level == KitLevel::service ? service_share : 1);
+  const double design = energy * factors.mass * factors.velocity * factors.velocity * factors.energy;
+  return design * factors.capacity * (factors.level == KitLevel::service ? service_share : 1);
 }
 
 double needed_height(const CheckFactors& factors, double height, double radius) {
   const double clearance = factors.clears_half_the_block ? std::max(factors.clearance, radius) : factors.clearance;
-  return height * factors.trajectory * factors.topography + clearance;
+  return height * factors.height + clearance;
+}
+
+std::optional<double> needed_clearance(const CheckFactors& factors, double elongation) {
+  if (!factors.elongation) return std::nullopt;
+  return elongation * *factors.elongation;
+}
+
+std::optional<double> most_elongation(const CheckFactors& factors, double clearance) {
+  if (!factors.elongation) return std::nullopt;
+  return clearance / *factors.elongation;
 }
 
 }  // namespace talus

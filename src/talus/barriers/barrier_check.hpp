@@ -1,18 +1,15 @@
 #pragma once
-// Requirements on a barrier: the checks of UNI 11211-4, with the energy classes of EAD 340059-00-0106.
-//
-// UNI 11211-4 ("Rockfall protective measures. Part 4: Definitive and executive design", 2012 and 2018), barriers:
-//   v_d = v gamma_F,  gamma_F = gamma_Tr gamma_Dp          design velocity, v the 95th percentile
-//   m_d = m gamma_M,  gamma_M = gamma_VolF1 gamma_gamma    design mass
-//   E_d = m_d v_d^2 / 2 gamma_R                            design energy
-//   E_d <= E_barrier / gamma_E the barrier's energy is its MEL or its SEL
-//   H_d = h gamma_F,  H_barrier >= H_d + f                 design height, f the upper clearance
-// The standard itself was not available. Formulas and usual factors are quoted from users of it: A. Grimod and G.
-// Giacchetti, "Certified deformable rockfall barriers: tests, design and installation", GeoHazards 6 (2014), and
-// Rocscience's RocFall, help page "Verification following UNI 11211-4". The factors are therefore inputs. The classes
-// are described by D. Peila and C. Ronco, "Design of rockfall net fences and the new ETAG 027 European guideline", Nat.
-// Hazards Earth Syst. Sci. 9 (2009) 1291-1298. Left out: the elongation of the net (it must not reach what it
-// protects), foundations, several rocks at once.
+// Requirements on a barrier: one form of check, whose factors are data (project/standards/), with the energy classes of
+// EAD 340059-00-0106. Symbols, sources and what could not be read of them: docs/barrier-design.md. With the percentiles
+// v, h of velocity and height, and k_... the products of the factors on each quantity:
+//   E_d = m k_m (v k_v)^2 / 2 k_e     design energy; without a design block m v^2 / 2 is the percentile of the energies
+//   E_d <= E_kit / k_c                the kit's energy is its MEL or its SEL
+//   H_d = h k_h,  H_kit >= H_d + f    design height, f the upper clearance
+//   D_d = D_kit k_d,  D_A >= D_d      design elongation against the distance to what is protected
+// UNI 11211-4: k_v = k_h = gamma_Tr gamma_Dp, k_m = gamma_VolF1 gamma_gamma, k_e = gamma_R, k_c = gamma_E. ONR 24810
+// has k_e and k_h apart. The classes are described by D. Peila and C. Ronco, "Design of rockfall net fences and the new
+// ETAG 027 European guideline", Nat. Hazards Earth Syst. Sci. 9 (2009) 1291-1298. Left out: foundations, several rocks
+// at once.
 
 #include <algorithm>
 #include <array>
@@ -33,19 +30,19 @@ inline constexpr double least_energy_with_service = kit_class_energies[1];
 /// SEL of the classes 1 to 7 [J]: a third of their MEL, rounded.
 inline constexpr std::array<double, 7> kit_class_service_energies{85e3, 170e3, 330e3, 500e3, 660e3, 1000e3, 1500e3};
 
-/// The factors of the check; the initial values are neutral.
+/// The factors of the check, each the product of those of a set; the initial values are neutral.
 struct CheckFactors {
-  double trajectory = 1;               // gamma_Tr: reliability of the simulation
-  double topography = 1;               // gamma_Dp: quality of the survey of the slope
-  double volume = 1;                   // gamma_VolF1: accuracy of the block's volume
-  double density = 1;                  // gamma_gamma
-  double risk = 1;                     // gamma_R: consequences of a failure
-  double energy = 1;                   // gamma_E
-  double clearance = 0;                // f, the minimum [m]
-  bool clears_half_the_block = false;  // f is also at least the block's radius
-  bool takes_total_energy = false;     // translational and rotational; if false, only translational
-  KitLevel level = KitLevel::maximum;  // the energy of the kit in the check
-  std::optional<double> block_mass{};  // of the design block [kg]; nullopt: each rock's own
+  double velocity = 1;                   // on velocities; on energies with its square
+  double height = 1;                     // on heights
+  double mass = 1;                       // on masses, and so on energies
+  double energy = 1;                     // on energies alone
+  double capacity = 1;                   // divides the energy of the kit
+  double clearance = 0;                  // f, the minimum [m]
+  std::optional<double> elongation = 1;  // on the elongation of the kit; nullopt: unknown
+  bool clears_half_the_block = false;    // f is also at least the block's radius
+  bool takes_total_energy = false;       // translational and rotational; if false, only translational
+  KitLevel level = KitLevel::maximum;    // the energy of the kit in the check
+  std::optional<double> block_mass{};    // of the design block [kg]; nullopt: each rock's own
   friend bool operator==(const CheckFactors&, const CheckFactors&) = default;
 };
 
@@ -60,6 +57,13 @@ struct CheckFactors {
 
 /// The lowest class whose kits all have this MEL [J] or, if the check is of the SEL, a SEL of a third of it.
 [[nodiscard]] int needed_class(const CheckFactors& factors, double maximum_energy);
+
+/// D_d, the distance [m] on plan that must be free behind a kit with this elongation [m]; nullopt if the factor on it
+/// is unknown.
+[[nodiscard]] std::optional<double> needed_clearance(const CheckFactors& factors, double elongation);
+
+/// The largest elongation [m] that a kit may have in its test where this distance [m] on plan is free.
+[[nodiscard]] std::optional<double> most_elongation(const CheckFactors& factors, double clearance);
 
 /// The nominal height [m] that a kit needs if a rock of this radius [m] arrives at this height [m].
 [[nodiscard]] double needed_height(const CheckFactors& factors, double height, double radius);

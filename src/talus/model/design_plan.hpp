@@ -7,10 +7,7 @@
 
 namespace talus::project {
 
-/// Expects the [design] of a checked project, and its model.
-[[nodiscard]] DesignPlan design_plan(const Design& design, const Model& model);
-
-/// The factors of the standard's check with these settings.
-[[nodiscard]] CheckFactors check_factors(const Design& design);
+/// Expects a checked project with a [design], and its model. Throws BadInput if its set of factors cannot be read.
+[[nodiscard]] DesignPlan design_plan(const Project& project, const Model& model);
 
 }  // namespace talus::project

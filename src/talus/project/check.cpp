@@ -288,17 +288,30 @@ class Rules {
 
   void check_design() {
     const toml::table* row = table("design");
+    std::vector<std::string_view> names;
+    for (const Kit& kit : project_.kits) names.push_back(kit.name);
+    check_unique("kits", rows("kit"), names);
+    if (!project_.kits.empty() && !row) {
+      report(document_.root().get("kit"), "", "[[kit]] has no effect", "kits are chosen from by [design]",
+             "Add [design]", Severity::warning);
+    }
     if (!row || !project_.design) return;
     DesignRules{project_,
                 *project_.design,
                 *row,
                 rows("barrier"),
                 rows("collector"),
+                rows("kit"),
                 is_2d(document_.root()),
                 [&](const toml::table* of, std::string_view key) { return accepted(of, key); },
                 [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
                   report(at, "[design]", std::move(what), std::move(why), std::move(hint), severity);
-                }}
+                },
+                [&](std::size_t kit, Node at, std::string what, std::string why, std::string hint, Severity severity) {
+                  report(at, name_of_row(project::table("kit"), *rows("kit")[kit], kit), std::move(what),
+                         std::move(why), std::move(hint), severity);
+                },
+                [&](const Problems& of_file) { problems_.append(located_in_project(of_file, project_, "[design]")); }}
         .check();
   }
 

@@ -1,12 +1,14 @@
 #include "talus/project/check_design.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "talus/core/nearest.hpp"
+#include "talus/project/named_files.hpp"
 #include "talus/project/values.hpp"
 #include "talus/results/design_plan.hpp"
 
@@ -22,6 +24,8 @@ void DesignRules::check() const {
   check_sections();
   check_lists();
   check_standard();
+  check_factors();
+  check_pairs();
   check_barriers_before_protected_line();
 }
 
@@ -117,6 +121,49 @@ void DesignRules::check_standard() const {
       !design.energies_kJ.empty() && std::ranges::all_of(design.energies_kJ, lacks_service_level)) {
     report(energies, fmt::format("energies_kJ has no value of {:.0f} kJ or more", least_energy_with_service / 1000),
            "energy_level is \"SEL\", and kits of class 0 are not tested at that level", "", Severity::error);
+  }
+}
+
+void DesignRules::check_factors() const {
+  const auto* file = accepted(&row, "standard_file");
+  if (row.contains("standard_file") && file == nullptr) return;
+  if (file != nullptr) {
+    if (const std::string why = why_unreadable(project, design.standard_file); !why.empty()) {
+      report(file, fmt::format("standard_file is {}", quoted(*file)), why, "The path is relative to the project file",
+             Severity::error);
+      return;
+    }
+    std::error_code none;
+    if (!std::filesystem::exists(project.file, none)) return;  // a text without a folder
+  }
+  try {
+    const auto set = factor_set_of(project);
+    if (set) check_factors(*set);
+    check_kits(set ? &*set : nullptr);
+  } catch (const BadInput& bad) {
+    report_of_file(bad.problems());
+  }
+}
+
+void DesignRules::check_factors(const FactorSet& set) const {
+  std::vector<std::string> names;
+  for (const Factor& factor : set.factors) names.push_back(fmt::format("{} ({})", factor.key, factor.symbol));
+  for (const std::string_view key : factor_keys) {
+    const auto* given = accepted(&row, key);
+    if (given == nullptr || set.find(key) != nullptr) continue;
+    report(given, fmt::format("{} has no effect", key),
+           fmt::format("{} has no such factor; it has {}", set.name, fmt::join(names, ", ")), "", Severity::warning);
+  }
+  const auto require = [&](std::string_view key, std::string_view symbol, const std::string& not_read) {
+    if (row.contains(key)) return;  // given, or refused
+    report(&row, fmt::format("{} is missing", key),
+           fmt::format("{} needs {}, and has no value for it: {}", set.name, symbol,
+                       not_read.empty() ? "it is an input" : not_read),
+           "Take it from the edition that binds you", Severity::error);
+  };
+  if (!set.design_percentile) require("design_percentile", "it", "the 95th or the 99th are used");
+  for (const Factor& factor : set.factors) {
+    if (!factor.value && !factor.multiplies_only("elongation")) require(factor.key, factor.symbol, factor.not_read);
   }
 }
 

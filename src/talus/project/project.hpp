@@ -211,29 +211,46 @@ struct Output {
   bool report = true;
 };
 
-enum class DesignStandard { uni_11211_4, none };
+enum class DesignStandard { uni_11211_4, onr_24810, none };
 enum class DesignLevel { mel, sel };
 enum class DesignEnergy { translational, total };
+
+/// Least share of its height that a kit keeps after an impact at its MEL: A half, B 30 %, C less.
+enum class ResidualHeight { unknown, a, b, c };
+
+/// [[kit]]: a barrier kit on the market, as its assessment describes it.
+struct Kit {
+  std::string name;
+  std::vector<double> heights_m;  // nominal
+  double mel_kJ = 0;
+  std::optional<double> sel_kJ;
+  std::optional<double> tested_height_m;
+  std::optional<double> elongation_m;
+  ResidualHeight residual_height = ResidualHeight::unknown;
+  std::optional<double> cost_per_m;
+};
 
 /// [design]
 struct Design {
   std::vector<std::string> lines;  // of barriers and collectors, by name; empty: all
   std::string protect;             // one of them; empty: none
   double section_m = 10;
+  double free_end_m = 0;
+  std::optional<double> clearance_m;
+  bool pairs = false;
   std::vector<double> percentiles{50, 95, 99};
   double confidence = 0.95;
   DesignStandard standard = DesignStandard::uni_11211_4;
-  double design_percentile = 95;
-  double trajectory_factor = 1.1;
-  double topography_factor = 1.1;
-  double volume_factor = 1.1;
-  double density_factor = 1;
-  double risk_factor = 1;
+  std::filesystem::path standard_file;  // in place of the standard; as written in the file
+  // Factors of the standard, its percentile and its clearance: nullopt is the value of its set (factor_set.hpp).
+  std::optional<double> design_percentile;
+  std::optional<double> trajectory_factor, topography_factor, volume_factor, density_factor, risk_factor;
+  std::optional<double> action_energy_factor, action_height_factor;
   DesignLevel energy_level = DesignLevel::mel;
-  std::optional<double> energy_factor;
+  std::optional<double> energy_factor, elongation_factor;
   DesignEnergy energy = DesignEnergy::translational;
   std::optional<double> block_mass_kg;
-  double upper_clearance_m = 0.5;
+  std::optional<double> upper_clearance_m;
   double catch_share = 0.95;
   std::vector<double> heights_m{2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10};
   std::vector<double> energies_kJ{100, 250, 500, 1000, 1500, 2000, 3000, 4500};
@@ -261,7 +278,8 @@ struct Project {
   std::vector<Area> areas;
   std::vector<Seeder> seeders;
   std::vector<Barrier> barriers;  // collectors too
-  std::optional<Design> design;   // nullopt: no barrier is designed
+  std::vector<Kit> kits;
+  std::optional<Design> design;  // nullopt: no barrier is designed
   Output output;
   std::vector<NamedFile> named_files;
 

@@ -113,7 +113,7 @@ class RowElsewhere {
 };
 
 /// One row of a table: the struct that its settings are members of.
-using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*,
+using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*, Kit*,
                          Design*, Output*, Distribution*, RowElsewhere>;
 
 /// A condition on another setting: of the same row (its key), or of a table with one row ("terrain.raster").

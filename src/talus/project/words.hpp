@@ -42,7 +42,8 @@ inline constexpr std::tuple enumerations{
     worded<Forest>("none", "open", "medium", "dense"),
     worded<DistributionKind>("none", "normal", "uniform", "triangular", "beta", "exponential", "lognormal", "gamma",
                              "empirical"),
-    worded<DesignStandard>("UNI 11211-4", "none"),
+    worded<DesignStandard>("UNI 11211-4", "ONR 24810", "none"),
+    worded<ResidualHeight>("unknown", "A", "B", "C"),
     worded<DesignLevel>("MEL", "SEL"),
     worded<DesignEnergy>("translational", "total"),
 };

@@ -51,11 +51,31 @@ void KitDemands::merge_saved(ByteReader& in) {
   }
 }
 
+std::uint64_t PairCounts::rocks() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
+
+void PairCounts::save(ByteWriter& out) const {
+  out.list(counts_);
+  out.put(one_first);
+  out.put(other_first);
+}
+
+void PairCounts::merge_saved(ByteReader& in) {
+  const auto saved = in.list<std::uint64_t>();
+  expect_bytes(saved.size() == counts_.size(), "the design of barriers has other kits");
+  for (std::size_t k = 0; k < saved.size(); ++k) {
+    expect_bytes(saved[k] <= std::uint64_t{1} << 60, damaged);
+    counts_[k] += saved[k];
+  }
+  one_first += in.get<std::uint64_t>();
+  other_first += in.get<std::uint64_t>();
+}
+
 DesignTally::DesignTally(const DesignPlan& plan, std::uint64_t planned_rocks) {
   for (const DesignLine& line : plan.lines) {
     lines.push_back({std::vector<SectionTally>(line.sections, SectionTally(planned_rocks)),
                      KitDemands(plan.heights.size(), plan.energies.size())});
   }
+  pairs.assign(plan.pairs.size(), PairCounts(plan.kit_classes()));
 }
 
 void DesignTally::save(ByteWriter& out) const {
@@ -69,6 +89,8 @@ void DesignTally::save(ByteWriter& out) const {
     line.demands.save(out);
     out.put(line.beside);
   }
+  out.count(pairs.size());
+  for (const PairCounts& pair : pairs) pair.save(out);
 }
 
 void DesignTally::merge_saved(ByteReader& in) {
@@ -88,6 +110,11 @@ void DesignTally::merge_saved(ByteReader& in) {
     line.demands.merge_saved(in);
     line.beside += in.get<std::uint64_t>();
     expect_bytes(crossings <= rocks && line.beside <= rocks && line.demands.rocks() <= crossings, damaged);
+  }
+  expect_bytes(in.get<std::uint64_t>() == pairs.size(), other);
+  for (PairCounts& pair : pairs) {
+    pair.merge_saved(in);
+    expect_bytes(pair.rocks() <= rocks && pair.one_first <= rocks && pair.other_first <= rocks, damaged);
   }
 }
 
@@ -124,19 +151,27 @@ std::size_t first_sufficient(const std::vector<double>& rising, double needed) {
 /// Crossings of a block of rocks: a few numbers per rock, added when the block is committed.
 class DesignObserver::Part : public ObserverPart {
  public:
-  explicit Part(const DesignPlan& plan) : beside(plan.lines.size()), plan_(plan) {}
+  Part(const DesignPlan& plan, const DesignTally& tally)
+      : beside(plan.lines.size()), plan_(plan), tally_(tally), at_lines_(plan.lines.size()) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
     ++rocks;
     std::optional<FirstCrossing> reached;
     if (plan_.protect) reached = first_crossing_of(log, *plan_.protect);
     for (std::uint32_t k = 0; k < plan_.lines.size(); ++k) {
-      const auto crossing = first_crossing_of(log, plan_.lines[k].barrier);
+      const DesignLine& line = plan_.lines[k];
+      const auto crossing = first_crossing_of(log, line.barrier);
       const bool counts = plan_.protect ? reached.has_value() : crossing.has_value();
-      const bool is_in_time = crossing && (!reached || crossing->motion->time <= reached->motion->time);
-      if (counts && !is_in_time) ++beside[k];
-      if (crossing) add(k, record.body, *crossing, counts && is_in_time);
+      const bool is_met = crossing && (!reached || crossing->motion->time <= reached->motion->time) &&
+                          !line.is_at_free_end(crossing->station, plan_.free_end);
+      if (counts && !is_met) ++beside[k];
+      at_lines_[k] = {};
+      if (!crossing) continue;
+      add(k, record.body, *crossing, counts && is_met);
+      at_lines_[k].time = crossing->motion->time;
+      if (is_met) at_lines_[k].kit = tally_.lines[k].demands.number(crossings.back().height, crossings.back().energy);
     }
+    for (std::uint32_t k = 0; k < plan_.pairs.size(); ++k) add_pair(k, reached.has_value());
   }
 
   struct Crossing {
@@ -145,8 +180,14 @@ class DesignObserver::Part : public ObserverPart {
     bool counts;
     std::uint32_t height, energy;  // indices of the required kit
   };
+  struct PairCrossing {
+    std::uint32_t pair;
+    std::uint32_t one, other;  // classes of kits
+    bool one_first, other_first;
+  };
   std::uint64_t rocks = 0;
   std::vector<Crossing> crossings;
+  std::vector<PairCrossing> pair_crossings;
   std::vector<std::uint64_t> beside;  // of each line
 
  private:
@@ -158,22 +199,41 @@ class DesignObserver::Part : public ObserverPart {
     constexpr double by_rounding = 1e-6;  // height of a rock that rolls on the ground [m]
     const double height = crossing.height > by_rounding ? crossing.height : 0;
     const double radius = radius_to_check(plan_.factors, rock.mass, rock.radius);
+    const double lateral = plan_.lines[line].lateral_of(crossing.station, crossing.motion->velocity);
     crossings.push_back(
         {line,
          plan_.lines[line].section_at(crossing.station),
-         {translational, total, velocity, height, radius},
+         {translational, total, velocity, height, radius, lateral},
          counts,
          static_cast<std::uint32_t>(first_sufficient(plan_.heights, needed_height(plan_.factors, height, radius))),
          static_cast<std::uint32_t>(first_sufficient(plan_.energies, needed_maximum_energy(plan_.factors, energy)))});
   }
 
+  void add_pair(std::uint32_t pair, bool is_reached) {
+    const AtLine &one = at_lines_[plan_.pairs[pair].one], &other = at_lines_[plan_.pairs[pair].other];
+    if (plan_.protect ? !is_reached : !one.time && !other.time) return;
+    const std::size_t none = tally_.pairs[pair].none();
+    const bool crosses_both = one.time && other.time;
+    pair_crossings.push_back({pair, static_cast<std::uint32_t>(one.kit.value_or(none)),
+                              static_cast<std::uint32_t>(other.kit.value_or(none)),
+                              crosses_both && *one.time < *other.time, crosses_both && *other.time < *one.time});
+  }
+
+  /// A rock at a line.
+  struct AtLine {
+    std::optional<double> time;      // of its first crossing; nullopt: none
+    std::optional<std::size_t> kit;  // the class that catches it; nullopt: none can
+  };
+
   const DesignPlan& plan_;
+  const DesignTally& tally_;  // of its sizes only
+  std::vector<AtLine> at_lines_;
 };
 
 DesignObserver::DesignObserver(DesignPlan plan, std::uint64_t planned_rocks)
     : plan_(std::move(plan)), tally_(plan_, planned_rocks) {}
 
-std::unique_ptr<ObserverPart> DesignObserver::new_part() const { return std::make_unique<Part>(plan_); }
+std::unique_ptr<ObserverPart> DesignObserver::new_part() const { return std::make_unique<Part>(plan_, tally_); }
 
 void DesignObserver::commit(ObserverPart& part) {
   const auto& seen = static_cast<Part&>(part);
@@ -183,6 +243,12 @@ void DesignObserver::commit(ObserverPart& part) {
     DesignTally::Line& line = tally_.lines[crossing.line];
     line.sections[crossing.section].add(crossing.values);
     if (crossing.counts) line.demands.add(crossing.height, crossing.energy);
+  }
+  for (const Part::PairCrossing& crossing : seen.pair_crossings) {
+    PairCounts& pair = tally_.pairs[crossing.pair];
+    pair.add(crossing.one, crossing.other);
+    pair.one_first += crossing.one_first ? 1 : 0;
+    pair.other_first += crossing.other_first ? 1 : 0;
   }
 }
 

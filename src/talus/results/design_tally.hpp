@@ -18,9 +18,12 @@ enum class CrossingQuantity : std::uint32_t {
   energy_total,
   velocity,
   height,
-  radius
-};  // [J] [m/s] [m]
-inline constexpr std::size_t crossing_quantity_count = 5;
+  radius,
+  lateral
+};  // [J] [m/s] [m]; lateral: metres along the line per metre across it, on plan
+inline constexpr std::size_t crossing_quantity_count = 6;
+/// The first ones have percentiles in the results.
+inline constexpr std::size_t shown_quantity_count = 4;
 
 /// One value of each quantity per rock.
 struct SectionTally {
@@ -40,6 +43,8 @@ struct SectionTally {
 class KitDemands {
  public:
   KitDemands(std::size_t heights, std::size_t energies) : columns_(energies + 1), counts_((heights + 1) * columns_) {}
+  /// The number of a class of kits, of kit_classes() of the plan.
+  [[nodiscard]] std::size_t number(std::size_t height, std::size_t energy) const { return height * columns_ + energy; }
   /// Indices of the lowest height and energy that suffice; the number of heights or energies if none does.
   void add(std::size_t height, std::size_t energy) { ++counts_[height * columns_ + energy]; }
   [[nodiscard]] std::uint64_t at(std::size_t height, std::size_t energy) const {
@@ -59,13 +64,34 @@ class KitDemands {
   std::vector<std::uint64_t> counts_;
 };
 
+/// The kits that rocks need on two lines: how many rocks need which class on the one and which on the other. A class is
+/// that of the lowest sufficient height and energy, or `none` if the line never meets the rock in time.
+class PairCounts {
+ public:
+  explicit PairCounts(std::size_t classes) : side_(classes + 1), counts_(side_ * side_) {}
+  [[nodiscard]] std::size_t none() const { return side_ - 1; }
+  void add(std::size_t one, std::size_t other) { ++counts_[one * side_ + other]; }
+  [[nodiscard]] std::uint64_t at(std::size_t one, std::size_t other) const { return counts_[one * side_ + other]; }
+  [[nodiscard]] std::uint64_t rocks() const;
+
+  void save(ByteWriter& out) const;
+  void merge_saved(ByteReader& in);
+
+  std::uint64_t one_first = 0, other_first = 0;  // rocks that cross both lines, by the line that they cross first
+
+ private:
+  std::size_t side_;
+  std::vector<std::uint64_t> counts_;
+};
+
 /// Its memory grows with sections, not with rocks: sketches keep values up to 100,000 rocks of the campaign and counts
 /// in bins beyond (statistics/quantile_sketch.hpp), about half a megabyte a section.
 struct DesignTally {
   struct Line {
     std::vector<SectionTally> sections;
-    KitDemands demands;        // of the rocks that count (DesignPlan::protect)
-    std::uint64_t beside = 0;  // rocks that count and do not cross this line before they reach the protected one
+    KitDemands demands;  // of the rocks that count (DesignPlan::protect)
+    /// Rocks that count and do not cross this line, but for its free ends, before they reach the protected one.
+    std::uint64_t beside = 0;
   };
 
   DesignTally(const DesignPlan& plan, std::uint64_t planned_rocks);
@@ -74,6 +100,7 @@ struct DesignTally {
 
   std::uint64_t rocks = 0;  // all rocks observed
   std::vector<Line> lines;
+  std::vector<PairCounts> pairs;  // in the order of the plan
 };
 
 /// Only the first crossing of a line by a rock counts, not a later one, nor one after a rebound from it. It also counts

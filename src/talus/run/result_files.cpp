@@ -62,8 +62,9 @@ bool is_name_of_result(const std::filesystem::path& name) {
   std::string plain = name.string();
   if (plain.ends_with(".part")) plain.erase(plain.size() - std::string_view(".part").size());
   constexpr auto names = std::to_array<std::string_view>(
-      {DesignRow::file_name, RankingRow::file_name, EnvelopeRow::file_name, UncertaintyRow::file_name, geopackage_name,
-       vtk_paths_name, run_state_name, file_record_name, "summary.json", "report.html"});
+      {DesignRow::file_name, RankingRow::file_name, PairRow::file_name, EnvelopeRow::file_name,
+       UncertaintyRow::file_name, geopackage_name, vtk_paths_name, run_state_name, file_record_name, "summary.json",
+       "report.html"});
   return std::ranges::find(names, plain) != names.end() ||
          std::ranges::find(result_tables(), plain, &ResultTable::file_name) != result_tables().end();
 }
@@ -78,6 +79,7 @@ std::vector<std::string> result_files(const RunDescription& description, const s
       names.push_back("maps/" + map_kinds(description.maps->selection).front().name + ".tif");
     if (description.wants_envelopes) names.emplace_back(EnvelopeRow::file_name);
     if (description.design) names.insert(names.end(), {DesignRow::file_name, RankingRow::file_name});
+    if (description.design && !description.design->pairs.empty()) names.emplace_back(PairRow::file_name);
     if (ensembles_of(description.project) > 0) names.emplace_back(UncertaintyRow::file_name);
     if (description.wants_geopackage && can_write_geopackage()) names.emplace_back(geopackage_name);
     if (wants_vtk(description)) names.emplace_back(vtk_paths_name);

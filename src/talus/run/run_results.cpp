@@ -146,7 +146,7 @@ RunDescription describe(const Project& project, const Model& model, const Proble
     const MapSelection selection = map_selection(project, model);
     description.maps = {grid.origin(), grid.cell(), by_source, ensembles_with_maps(selection, model), selection};
   }
-  if (project.design) description.design = design_plan(*project.design, model);
+  if (project.design) description.design = design_plan(project, model);
   description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
   description.wants_report = project.output.report;
   return description;

@@ -35,9 +35,44 @@ export interface DesignLine {
   rocks: NumberText;
   percentiles: Record<string, Record<string, Interval>>;
   needs: { energy_J: NumberText; class: NumberText; height_m: NumberText } | null;
+  clearance_m: NumberText | null;
+  most_elongation_m: NumberText | null;
+}
+
+/// A kit of a pair of lines.
+export interface PairKit {
+  line: string;
+  kit: string | null;
+  height_m: NumberText;
+  energy_J: NumberText;
+}
+/// Two lines, one behind the other.
+export interface DesignPair {
+  first: PairKit;
+  second: PairKit;
+  suffices: boolean;
+  caught_share: { value: NumberText; low: NumberText; high: NumberText } | null;
+  caught_by_first: NumberText;
+  at_second: NumberText;
+  caught_by_second: NumberText;
+  beside: NumberText;
+  cost: NumberText;
+  overlap_m: NumberText | null;
+  needs_overlap_m: NumberText | null;
+}
+/// A factor of the check, with where its value is from.
+export interface AppliedFactor {
+  symbol: string;
+  key: string;
+  multiplies: string;
+  value: NumberText;
+  source: string;
+  not_read: string;
 }
 export interface Design {
-  standard: string;
+  standard: string | null;
+  applied_factors?: AppliedFactor[];
+  pairs?: DesignPair[];
   confidence: NumberText;
   design_percentile: NumberText;
   lines: DesignLine[];

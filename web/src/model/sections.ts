@@ -28,7 +28,7 @@ export const sections: Section[] = [
   },
   { name: 'sampling', title: 'Sampling', tables: ['sampling'], lists: [] },
   { name: 'output', title: 'Output', tables: ['output'], lists: [] },
-  { name: 'design', title: 'Barrier design', tables: ['design'], lists: [] },
+  { name: 'design', title: 'Barrier design', tables: ['design'], lists: [{ key: 'kit', one: 'kit' }] },
 ];
 
 /// The section with the form of a path.

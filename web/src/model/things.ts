@@ -15,6 +15,7 @@ const words: Partial<Record<TableName, string>> = {
   seeder: 'Seeder',
   barrier: 'Barrier',
   collector: 'Collector',
+  kit: 'Kit',
 };
 const family = (key: TableName): TableName[] => (key === 'barrier' || key === 'collector' ? ['barrier', 'collector'] : [key]);
 

@@ -8,6 +8,7 @@ import { counted } from '../ui/format';
 import { BarrierCounts } from './BarrierCounts';
 import { ColumnChoice, hitChoices } from './ColumnChoice';
 import { titleOf } from './columns';
+import { DesignSummary } from './DesignSummary';
 import { DesignTable } from './DesignTable';
 import { DistributionFigures } from './DistributionFigures';
 import { shownColour, type Layer } from './layers';
@@ -91,7 +92,10 @@ export function Barriers({ run }: { run: Run }) {
       <Hits run={run} barrier={barrier} number={barriers.indexOf(barrier)} />
       <div class="tab-block">
         {barrier.design ? (
-          <DesignTable run={run} name={barrier.name} design={barrier.design} />
+          <>
+            <DesignTable run={run} name={barrier.name} design={barrier.design} />
+            <DesignSummary run={run} />
+          </>
         ) : (
           <p class="faint">
             For design percentiles with confidence intervals and the check of a standard, add a barrier design in the

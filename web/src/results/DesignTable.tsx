@@ -48,8 +48,10 @@ export function DesignTable({ run, name, design }: { run: Run; name: string; des
             { key: 'energy_J', title: 'Energy of the kit (MEL)', unit: 'J' },
             { key: 'class', title: 'EAD class' },
             { key: 'height_m', title: 'Height', unit: 'm' },
+            { key: 'clearance_m', title: 'Distance to what is protected', unit: 'm' },
+            { key: 'most_elongation_m', title: 'Elongation at most', unit: 'm' },
           ]}
-          rows={[[needs.energy_J, needs.class ?? '', needs.height_m]]}
+          rows={[[needs.energy_J, needs.class ?? '', needs.height_m, design.clearance_m ?? '', design.most_elongation_m ?? '']]}
         />
       ) : (
         <p class="faint">Too few rocks for the check of the standard.</p>

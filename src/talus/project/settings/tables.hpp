@@ -15,6 +15,7 @@ Table area_table();
 Table seeder_table();
 Table barrier_table();
 Table collector_table();
+Table kit_table();
 Table design_table();
 Table output_table();
 Table distribution_table();

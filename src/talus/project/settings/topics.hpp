@@ -31,8 +31,13 @@ constexpr Topic vtk{"outputs.md", "paths.vtp"};
 constexpr Topic maps{"outputs.md", "maps/"};
 constexpr Topic design{"barrier-design.md", "What is counted"};
 constexpr Topic design_check{"barrier-design.md", "The check"};
+constexpr Topic factor_file{"barrier-design.md", "A set of factors of one's own"};
 constexpr Topic design_table{"barrier-design.md", "design.csv"};
 constexpr Topic confidence{"barrier-design.md", "Confidence"};
+constexpr Topic kits{"barrier-design.md", "Kits"};
+constexpr Topic elongation{"barrier-design.md", "Elongation"};
+constexpr Topic free_ends{"barrier-design.md", "Free ends"};
+constexpr Topic pairs{"barrier-design.md", "Two lines"};
 constexpr Topic ranking{"barrier-design.md", "Which line, height and energy"};
 
 }  // namespace talus::project::declared::topics

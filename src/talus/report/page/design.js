@@ -16,6 +16,10 @@ const shareCell = (share) => share ? {text: shareText(share), below: `${number(1
 const sufficesText = (kit) => (kit.suffices ? 'yes' : kit.limited_by ? `no: ${kit.limited_by}` : 'no') + (kit.sure === false ? ', uncertain' : '');
 const classText = (needs) => needs ? `${needs.class}` : '–';
 
+const knownMetres = (value) => isNumber(value) ? measured(value, 3) : '–';
+const isPriced = (run) => (run.project.kit || []).some((kit) => isNumber(kit.cost_per_m));
+const costTitle = (run) => isPriced(run) ? 'Cost' : 'Cost index';
+
 const energyWord = (design) => design.factors.of_total_energy ? 'total kinetic' : 'translational';
 
 // Quantities by their names in the summary; the energy is the one that the check uses.
@@ -89,6 +93,18 @@ function designLines(parent, run) {
   });
 }
 
+// Every factor of the check with its source, and what could not be read there.
+function designFactors(parent, design) {
+  if (!design.standard || !design.applied_factors) return;
+  table(parent, {
+    caption: `Factors of the check of ${design.standard}`,
+    head: [['Symbol', 'Multiplies', 'Value', 'Source', 'Could not be read there']],
+    rows: design.applied_factors.map((f) => [{text: f.symbol, below: f.key}, f.multiplies, number(f.value), f.source, f.not_read || '–']),
+    numeric: (column) => column === 2,
+  });
+  if (design.standard_not_read) element(parent, 'p', `${design.standard_not_read}.`, {class: 'quiet'});
+}
+
 function designCheck(parent, run) {
   const {design} = run.summary;
   const {factors} = design;
@@ -106,10 +122,23 @@ function designCheck(parent, run) {
       measured(kJ(worst(line, 'energy_J'))), String(worstClass(line)), measured(worst(line, 'height_m'), 3)]),
     numeric: (column) => column > 0,
   });
-  const factorsText = design.standard ? `Factors: trajectory ${number(factors.trajectory)}, topography ${number(factors.topography)}, volume ${number(factors.volume)}, density ${number(factors.density)}, ` +
-    `risk ${number(factors.risk)}, energy ${number(factors.energy)} (${factors.level}); upper clearance ${number(factors.clearance_m)} m or half the block. ` : '';
+  const clearance = `Upper clearance ${number(factors.clearance_m)} m${factors.clears_half_the_block ? ' or half the block' : ''}. `;
+  const factorsText = design.standard ? `The kit's energy is its ${factors.level}. ${clearance}` : '';
+  const elongations = design.lines.some((line) => isNumber(line.clearance_m));
+  if (elongations) {
+    table(parent, {
+      caption: 'Distance on plan to what is protected, and the elongation that a kit may have there at most',
+      head: [['Line', {text: 'Distance', unit: 'm'}, {text: 'Elongation at most', unit: 'm'}, 'Narrowest section']],
+      rows: design.lines.filter((line) => isNumber(line.clearance_m)).map((line) => {
+        const narrow = line.sections.reduce((least, s) => (least && least.clearance_m <= s.clearance_m ? least : s), null);
+        return [line.name, measured(line.clearance_m, 3), isNumber(line.most_elongation_m) ? measured(line.most_elongation_m, 3) : 'needs elongation_factor',
+          narrow ? `${number(narrow.from_m, 5)} to ${number(narrow.to_m, 5)} m` : '–'];
+      }),
+      numeric: (column) => column === 1 || column === 2,
+    });
+  }
   const block = isNumber(factors.block_mass_kg) ? `Energy and size in the check are those of a design block of ${number(factors.block_mass_kg)} kg. ` : '';
-  element(parent, 'p', `${factorsText}${block}Each column of the worst section has the maximum of all sections. Classes are those of EAD 340059-00-0106; class 8 is above 4,500 kJ. The deflection of the net, foundations and simultaneous impacts of several rocks are not checked.`, {class: 'quiet'});
+  element(parent, 'p', `${factorsText}${block}Each column of the worst section has the maximum of all sections. Classes are those of EAD 340059-00-0106; class 8 is above 4,500 kJ. Foundations and simultaneous impacts of several rocks are not checked.`, {class: 'quiet'});
 }
 
 function designRanking(parent, run) {
@@ -118,16 +147,19 @@ function designRanking(parent, run) {
   const best = design.best;
   const wanted = `${number(100 * design.catch_share)} %`;
   const of = (run.project.design || {}).protect ? `the rocks that reach ${run.project.design.protect}` : 'the rocks that reach its line';
-  element(parent, 'p', best ? `Lowest-cost kit that catches ${wanted} of ${of}: ${best.line}, ${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ of ${energyWord(design)} energy${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}${best.sure === false ? ' (uncertain)' : ''}.`
+  element(parent, 'p', best ? `Lowest-cost kit that catches ${wanted} of ${of}: ${best.line}, ${best.kit ? `${best.kit}, ` : ''}${number(best.height_m)} m high, ${number(best.energy_J / 1000)} kJ of ${energyWord(design)} energy${isNumber(best.class) ? ` (class ${best.class})` : ''}; it catches ${shareText(best.caught_share)}${best.sure === false ? ' (uncertain)' : ''}.`
     : `None of the given kits catches ${wanted} of ${of}.`);
   if (!best) {
     const first = design.lines.map((line) => design.ranking.find((kit) => kit.line === line.name && kit.limit)).filter(Boolean);
     for (const kit of first) element(parent, 'p', `${kit.line}: ${kit.limit}.`);
   }
+  const named = shown.some((kit) => kit.kit);
+  const residual = shown.some((kit) => isNumber(kit.residual_height_m));
+  const clear = shown.some((kit) => isNumber(kit.needs_clearance_m));
   table(parent, {
     caption: `${best ? 'Kits, the best first' : 'Kits, none of which suffices'}; ${energyWord(design)} energy; below each share its ${number(100 * design.confidence)} % confidence interval`,
-    head: [['Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Too high', 'Too energetic', 'Beyond the ends', 'Suffices', 'Cost index']],
-    rows: shown.map((kit) => [kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareCell(kit.caught_share),
+    head: [[named ? 'Line and kit' : 'Line', {text: 'Height', unit: 'm'}, {text: 'MEL', unit: 'kJ'}, 'Class', 'Caught', 'Too high', 'Too energetic', 'Beyond the ends', 'Suffices', costTitle(run)]],
+    rows: shown.map((kit) => [kit.kit ? {text: kit.line, below: kit.kit} : kit.line, number(kit.height_m), number(kit.energy_J / 1000), isNumber(kit.class) ? String(kit.class) : '–', shareCell(kit.caught_share),
       number(kit.above), number(kit.through), number(kit.beside), sufficesText(kit), measured(kit.cost)]),
     numeric: (column) => column > 0,
     rowClass: (i) => i === 0 && best ? 'differs' : '',
@@ -135,9 +167,45 @@ function designRanking(parent, run) {
   if (shown.some((kit) => kit.sure === false)) {
     element(parent, 'p', `Uncertain: the required ${wanted} is within the ${number(100 * design.confidence)} % confidence interval of the share. Run more rocks, or choose a kit that is certain.`);
   }
+  if (clear || residual) {
+    table(parent, {
+      caption: 'What the nets need behind them, and what an impact leaves of them',
+      head: [['Line and kit', {text: 'Height', unit: 'm'}, {text: 'Needs on plan', unit: 'm'}, {text: 'There are', unit: 'm'}, {text: 'Remains', unit: 'm'}, 'Rocks below that']],
+      rows: shown.map((kit) => [{text: kit.line, below: kit.kit}, number(kit.height_m), knownMetres(kit.needs_clearance_m), knownMetres(kit.clearance_m), knownMetres(kit.residual_height_m),
+        shareCell(kit.below_residual_share)]),
+      numeric: (column) => column > 0,
+    });
+  }
+  if (residual) {
+    element(parent, 'p', 'Remains: the height of the kit after an impact at its MEL, at least. Rocks below that: the share of the rocks that would still meet it, whatever their energy; no test says what it stops before it is repaired.', {class: 'quiet'});
+  }
+  if (design.free_end_m > 0) element(parent, 'p', `Rocks that cross within ${number(design.free_end_m)} m of an end of a line count as beyond the ends.`, {class: 'quiet'});
   const more = design.ranking.length - shown.length;
   element(parent, 'p', (more > 0 ? `${count(more, 'more kit is', 'more kits are')} in design_ranking.csv. ` : '') +
-    'A kit catches a rock if it passes the check for that rock. For each line and height the lowest sufficient energy is listed. The cost index is length × height to a power × energy to a power, both from the settings: it compares kits and is not a price.', {class: 'quiet'});
+    `A kit catches a rock if it passes the check for that rock. ${named ? '' : 'For each line and height the lowest sufficient energy is listed. '}` +
+    (isPriced(run) ? 'The cost is the price per metre of the kit times the length of the line.' : 'The cost index is length × height to a power × energy to a power, both from the settings: it compares kits and is not a price.'), {class: 'quiet'});
+}
+
+// Two lines one behind the other.
+function designPairs(parent, run) {
+  const {design} = run.summary;
+  if (!design.pairs || !design.pairs.length) return;
+  const shown = design.pairs.slice(0, 15);
+  const lineCell = (kit) => ({text: kit.line, below: `${kit.kit ? `${kit.kit}, ` : ''}${number(kit.height_m)} m, ${number(kit.energy_J / 1000)} kJ`});
+  const staggered = shown.some((pair) => isNumber(pair.overlap_m));
+  table(parent, {
+    caption: `Two lines, one behind the other, the best first; below each share its ${number(100 * design.confidence)} % confidence interval`,
+    head: [['First line', 'Second line', 'Caught', 'By the first', 'Go on', 'By the second', 'Beyond both',
+      ...(staggered ? [{text: 'Overlap', unit: 'm'}] : []), 'Suffices', costTitle(run)]],
+    rows: shown.map((pair) => [lineCell(pair.first), lineCell(pair.second), shareCell(pair.caught_share),
+      number(pair.caught_by_first), number(pair.at_second), number(pair.caught_by_second), number(pair.beside),
+      ...(staggered ? [{text: knownMetres(pair.overlap_m), below: `needs ${knownMetres(pair.needs_overlap_m)}`}] : []), sufficesText(pair), measured(pair.cost)]),
+    numeric: (column) => column > 1,
+    rowClass: (i) => i === 0 && shown[0].suffices ? 'differs' : '',
+  });
+  const more = design.pairs.length - shown.length;
+  element(parent, 'p', `${more > 0 ? `${count(more, 'more pair is', 'more pairs are')} in design_pairs.csv. ` : ''}A rock is caught by a pair if either kit catches it; the second sees the rocks that the first does not catch. ` +
+    `Of each pair the cheapest kits for what they catch are listed.${staggered ? ' Needs: the overlap that the directions of the rocks ask for at the first line, by the design percentile.' : ''}`, {class: 'quiet'});
 }
 
 function designSections(parent) {
@@ -145,7 +213,9 @@ function designSections(parent) {
     if (!single) element(parent, 'h3', run.label);
     designLines(parent, run);
     designCheck(parent, run);
+    designFactors(parent, run.summary.design);
     designRanking(parent, run);
+    designPairs(parent, run);
     for (const line of run.summary.design.lines) {
       if (line.sections.length > 1 && line.rocks) alongFigure(parent, run, line);
     }

@@ -1,0 +1,29 @@
+#pragma once
+// Two lines one behind the other: what their kits catch together, and the cheapest kits for each share.
+//
+// A rock is caught by a pair if either kit catches it. A kit stops a rock or does not touch it, so the rocks that the
+// second meets are those that the first does not catch, on the paths that they have without it: the share is that of a
+// run in which the first stops what it catches (test/cli/run_pairs_test.cpp), rock by rock.
+
+#include <optional>
+#include <vector>
+
+#include "talus/results/design_result.hpp"
+
+namespace talus {
+
+/// `laterals` of each line, as DesignFigures::lateral.
+[[nodiscard]] std::vector<PairChoice> evaluate_pairs(const DesignPlan& plan, const DesignTally& tally,
+                                                     const std::vector<std::optional<double>>& laterals);
+
+/// nullopt: there is no rock.
+[[nodiscard]] std::optional<RockShare> share_of(std::uint64_t rocks, std::uint64_t all, double confidence);
+
+/// The first of the ascending values that is not less; their number if all are.
+[[nodiscard]] std::size_t index_of(const std::vector<double>& ascending, double value);
+
+/// The price of a kit on a line, or else its cost index.
+[[nodiscard]] double cost_of(const DesignPlan& plan, std::size_t line, std::optional<std::size_t> kit, double height,
+                             double maximum_energy);
+
+}  // namespace talus
