@@ -3,7 +3,7 @@ PREFIX_RUN := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-dev libboost-dev \
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev libsqlite3-dev libopenmpi-dev \
   libcpp-httplib-dev libssl-dev
-TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin python3 chromium esbuild node-d3
+TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin python3 chromium poppler-utils esbuild node-d3
 
 FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
 FUZZ_SECONDS ?= 600

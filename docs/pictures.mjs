@@ -1,5 +1,5 @@
 // Renews the pictures of the documentation: node docs/pictures.mjs [PROGRAM], after a build and the tests of the page,
-// which install Playwright. PROGRAM is build/talus if it is not given.
+// which install Playwright. It needs pdftoppm, of Debian's poppler-utils. PROGRAM is build/talus if it is not given.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
@@ -66,6 +66,25 @@ async function pictureOfValidation(browser, folder) {
   await page.screenshot({ path: join(sources, 'docs/validation.png'), clip, fullPage: true });
 }
 
+/// The first sheet of a run over terrain, as printed on A3.
+function pictureOfSheet(folder) {
+  const [out, pdf] = [join(folder, 'maungawhau'), join(folder, 'sheet.pdf')];
+  execFileSync(program, ['run', join(sources, 'examples/maungawhau/maungawhau.toml'), '--quiet', '-o', out]);
+  const titleBlock = {
+    client: 'City of Auckland',
+    project: 'Maungawhau, crater path',
+    number: '2026-117',
+    author: 'A. Meier',
+    checked: 'B. Rossi',
+    revision: 'A',
+    text: 'An example, for no real purpose',
+    paper: 'A3',
+  };
+  const settings = Object.entries(titleBlock).flatMap(([key, value]) => ['--set', `report.${key}=${value}`]);
+  execFileSync(program, ['report', out, '--pdf', pdf, ...settings]);
+  execFileSync('pdftoppm', ['-png', '-r', '75', '-singlefile', pdf, join(sources, 'docs/sheet')]);
+}
+
 const folder = mkdtempSync(join(tmpdir(), 'talus-pictures-'));
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -80,6 +99,7 @@ try {
   await pictureOfReport(browser, folder);
   await pictureOfWorkbench(browser, folder);
   await pictureOfValidation(browser, folder);
+  pictureOfSheet(folder);
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true, force: true });

@@ -14,6 +14,7 @@
 #include "talus/core/bytes.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/files/checksum.hpp"
+#include "talus/files/picture_file.hpp"
 #include "talus/gdal/ascii_grid_check.hpp"
 #include "talus/import/las_file.hpp"
 #include "talus/import/mesh_formats.hpp"
@@ -214,6 +215,10 @@ Verdict read_state(std::string_view input, const fs::path&) {
     ByteWriter again;
     for (SummingObserver* observer : observers) observer->save(again);
   });
+}
+
+Verdict read_picture(std::string_view input, const fs::path&) {
+  return verdict_of([&] { (void)picture_in(input); });
 }
 
 }  // namespace talus::fuzz

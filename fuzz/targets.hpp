@@ -41,18 +41,22 @@ Verdict read_results(std::string_view input, const std::filesystem::path& folder
 /// header, and the observers' sums.
 Verdict read_state(std::string_view input, const std::filesystem::path& folder);
 
+/// A picture for a page.
+Verdict read_picture(std::string_view input, const std::filesystem::path& folder);
+
 struct Target {
   std::string_view name;  // also that of its corpus folder
   Read read;
 };
 
-inline constexpr std::array<Target, 8> targets{{{"project", &read_project},
+inline constexpr std::array<Target, 9> targets{{{"project", &read_project},
                                                 {"factors", &read_factors},
                                                 {"mesh", &read_mesh},
                                                 {"points", &read_points},
                                                 {"grid", &read_grid},
                                                 {"table", &read_table},
                                                 {"results", &read_results},
-                                                {"state", &read_state}}};
+                                                {"state", &read_state},
+                                                {"picture", &read_picture}}};
 
 }  // namespace talus::fuzz

@@ -68,8 +68,11 @@ int replay(const ReplayOptions& options);
 
 struct ReportOptions {
   std::vector<std::filesystem::path> folders;
-  std::filesystem::path file;      // empty: report.html in the first folder, or compare.html for several
-  std::filesystem::path observed;  // stops to compare with; empty: none
+  std::filesystem::path file;         // empty: report.html in the first folder, or compare.html for several
+  std::filesystem::path observed;     // stops to compare with; empty: none
+  std::filesystem::path pdf;          // to print to, instead of a page; empty: none
+  std::string paper;                  // "A4" or "A3"; empty: the project's
+  std::vector<std::string> settings;  // of [report], which override the project's
 };
 int report(const ReportOptions& options);
 

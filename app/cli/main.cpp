@@ -171,6 +171,19 @@ int dispatch(int argc, char** argv) {
                    "it does not show them")
       ->check(names_file)
       ->type_name("FILE");
+  report_command
+      ->add_option("--pdf", report_options.pdf,
+                   "Print the report to this PDF file with an installed Chromium or Chrome, instead of writing a page")
+      ->check(names_file)
+      ->type_name("FILE.pdf");
+  report_command->add_option("--paper", report_options.paper, "A4 or A3, instead of the project's")->type_name("PAPER");
+  report_command
+      ->add_option("--set", report_options.settings,
+                   "Override a setting of [report], for example --set report.author=\"A. Meier\"; repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   SensitivityOptions sensitivity_options;
   CLI::App* sensitivity_command =

@@ -14,6 +14,17 @@ namespace talus::project {
 
 inline constexpr const char* in_2d = R"(
 name = "Other"
+[report]
+client = "Bergheim"
+project = "Road K12"
+number = "2026-117"
+author = "A. Meier"
+checked = "B. Rossi"
+revision = "B"
+date = "May 2026"
+text = "For approval"
+logo = "logo.png"
+paper = "A3"
 [analysis]
 model = "rigid_sphere"
 rotation = true

@@ -218,6 +218,26 @@ TEST(ConditionsOfSettings, AreEmbeddedInTheReport) {
   EXPECT_GT(compared, 50U);
 }
 
+TEST(DefaultsOfSettings, AreEmbeddedInTheReport) {
+  const std::string_view script = assets::script;
+  const std::size_t begin = script.find('{', script.find("const settingDefaults = ")), end = script.find(";\n", begin);
+  const auto embedded = nlohmann::json::parse(script.substr(begin, end - begin));
+  std::size_t compared = 0;
+  for (const Table& table : tables()) {
+    if (table.key.empty()) continue;
+    const auto& of_table = embedded.at(std::string(table.key));
+    for (const Setting& setting : table.settings) {
+      const Json declared = schema_of(table, setting);
+      ASSERT_EQ(of_table.contains(std::string(setting.key)), declared.contains("default")) << row_name(table, setting);
+      if (!declared.contains("default")) continue;
+      EXPECT_EQ(of_table.at(std::string(setting.key)), nlohmann::json::parse(declared["default"].dump()))
+          << row_name(table, setting);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 50U);
+}
+
 // A condition on an unknown setting, or on a word that the setting does not have, would never be true.
 TEST(Settings, ConditionsNameSettingsAndTheirWords) {
   std::size_t seen = 0;

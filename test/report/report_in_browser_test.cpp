@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "report/report_in_browser.hpp"
 #include "support/browser.hpp"
 #include "support/sample_run.hpp"
 #include "support/sample_run_3d.hpp"
@@ -17,25 +18,6 @@ namespace {
 
 using testing_tools::has_browser;
 using testing_tools::said_in_page;
-
-/// A terrain of `side_m` metres a side around the rocks, which end within 10 m of the origin.
-nlohmann::ordered_json on_terrain(double side_m) {
-  constexpr int nodes = 20;
-  auto heights = nlohmann::ordered_json::array();
-  for (int k = 0; k < nodes * nodes; ++k) heights.push_back(100 - 2 * (k % nodes));
-  auto summary = sample_run::summary("Terrain");
-  const double half = side_m / 2, cell = side_m / nodes;
-  summary["terrain"] = {{"kind", "raster"},
-                        {"bounds", {{-half, -half, 60}, {half, half, 100}}},
-                        {"relief",
-                         {{"x0", -half + cell / 2},
-                          {"y0", -half + cell / 2},
-                          {"cell_m", cell},
-                          {"columns", nodes},
-                          {"rows", nodes},
-                          {"z_m", heights}}}};
-  return summary;
-}
 
 /// The maximum x on the plan's axis, before and after a click on the plan's switch if there is one.
 const std::string greatest_x_before_and_after = R"(
@@ -64,24 +46,6 @@ TEST(ReportInBrowser, PlanOpensOnTheRocksIfTheyCoverLittleOfTheTerrain) {
 TEST(ReportInBrowser, PlanShowsTheTerrainIfRocksCoverIt) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(plan_of(5), "5 no switch");
-}
-
-/// The result of `script` in the report of a run with this summary.
-std::string said_of(const nlohmann::ordered_json& summary, const std::string& script) {
-  const sample_run::Folder folder("report-said");
-  sample_run::write(folder);
-  folder.write("summary.json", summary.dump());
-  write_report(std::vector{folder.path}, folder.path / "report.html");
-  return said_in_page(folder.path / "report.html", script);
-}
-
-/// Rows of the table with this caption, cells separated by "|".
-std::string rows_of(const std::string& caption) {
-  return R"(
-  const table = [...document.querySelectorAll('table')].find((t) => t.caption && t.caption.textContent.startsWith(')" +
-         caption + R"('));
-  const rows = [...table.rows].map((row) => [...row.cells].map((cell) => cell.textContent).join('|'));
-)";
 }
 
 TEST(ReportInBrowser, ShowsWarningsAndNotesWithoutTheNameOfTheProjectFile) {
@@ -359,21 +323,12 @@ TEST(ReportInBrowser, DrawsMaps) {
             "up to 8 kJ|Coordinate system unknown; image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
 }
 
-/// The print style on a page as wide as A4 between its margins; `mm` converts a length in pixels.
-constexpr auto on_paper = R"(
-  for (const sheet of document.styleSheets)
-    for (const rule of sheet.cssRules)
-      if (rule.media) rule.media.mediaText = rule.media.mediaText === 'print' ? 'all' : 'not all';
-  document.body.style.width = '184mm';
-  const mm = (pixels) => pixels * 184 / document.body.getBoundingClientRect().width;
-)";
-
 TEST(ReportInBrowser, MapsHaveTheirStatedScaleOnPaper) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   for (const double side_m : {5.0, 70.0, 1000.0}) {
     // The length of the scale bar in metres, and in millimetres on paper.
     EXPECT_EQ(said_of(on_terrain(side_m), std::string(on_paper) + R"(
-      const svg = document.querySelector('svg[aria-label^="Plan of the terrain"]');
+      const svg = document.querySelector('svg[aria-label="Plan with trajectories on the sheet"]');
       const bar = svg.querySelector('.scale-bar');
       const metres = Number(bar.querySelector('text').textContent.replace(/[ ,m]/g, ''));
       const drawn = mm(bar.querySelector('path').getBoundingClientRect().width);

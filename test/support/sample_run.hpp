@@ -124,6 +124,8 @@ inline nlohmann::ordered_json summary(const std::string& name) {
         {"material",
          Json::array({{{"name", "Type One"}, {"normal_restitution", {{"mean", 0.53}, {"distribution", "none"}}}}})},
         {"ground", {{"default", "Type One"}}}}},
+      {"inputs",
+       {{"files", Json::array({{{"name", "tutorial.toml"}, {"bytes", 1872}, {"sha256", std::string(64, 'a')}}})}}},
       {"timings", {{"seconds", 0.375}, {"rocks_per_second", 5.25}, {"threads", 2}}}};
 }
 

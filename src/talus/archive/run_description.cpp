@@ -60,6 +60,7 @@ Json head_of(const RunDescription& description) {
     json["maps"]["bands"] = names_of(maps->selection.bands);
   }
   if (description.design) json["design"] = plan_json(*description.design);
+  json["inputs"] = json_of(description.inputs);
   return json;
 }
 
@@ -126,6 +127,7 @@ RunDescription read(const Json& json) {
                    "the description's maps have bands that they cannot have");
     }
   }
+  if (json.contains("inputs")) read_json(json.at("inputs"), {}, description.inputs);
   if (json.contains("design")) description.design = plan_from(json.at("design"), description.barriers);
   check_model(description);
   return description;
@@ -155,6 +157,8 @@ RunDescription description_from(std::string_view json_text) {
   try {
     return read(Json::parse(json_text));
   } catch (const nlohmann::json::exception&) {
+    throw BadBytes("the description of the run is damaged");
+  } catch (const BadField&) {
     throw BadBytes("the description of the run is damaged");
   }
 }

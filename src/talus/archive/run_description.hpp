@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "talus/archive/run_summary.hpp"
 #include "talus/archive/table_rocks.hpp"
 #include "talus/core/vec.hpp"
 #include "talus/maps/map_list.hpp"
@@ -41,6 +42,7 @@ struct RunDescription {
   bool wants_envelopes = false;       // along a section
   bool wants_geopackage = false;      // on 3D terrain only
   bool wants_report = true;
+  ReportInputs inputs;  // of the first process only
 };
 
 /// The origin of the model's local frame in user coordinates [m].

@@ -58,6 +58,12 @@ std::optional<FieldFault> TerrainSummary::fault() const {
   return FieldFault{"has a section that is not a line", "expected two or more vertices [x, z]"};
 }
 
+std::optional<FieldFault> ReportInputs::fault() const {
+  if (logo.empty() || logo.starts_with("data:image/png;base64,") || logo.starts_with("data:image/jpeg;base64,"))
+    return std::nullopt;
+  return FieldFault{"has a logo that is no picture", "expected a PNG or JPEG picture as a data: address"};
+}
+
 Statistics BarrierSummary::statistics_of(std::string_view quantity) const {
   const Statistics* const known = find_named(statistics, quantity);
   return known == nullptr ? Statistics{} : *known;

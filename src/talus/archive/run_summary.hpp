@@ -144,6 +144,45 @@ struct SourceRocks {
   static auto fields() { return std::tuple(field("name", &SourceRocks::name), field("rocks", &SourceRocks::rocks)); }
 };
 
+/// An input file of a run.
+struct InputFile {
+  std::string name{};  // as in the project, relative to its file; the project file itself: without its folder
+  std::uint64_t bytes = 0;
+  std::string sha256{};  // as printed by sha256sum
+
+  static auto fields() {
+    return std::tuple(field("name", &InputFile::name), field("bytes", &InputFile::bytes),
+                      field("sha256", &InputFile::sha256));
+  }
+};
+
+/// The source of values of a material that are those of the library.
+struct MaterialSource {
+  std::string material{}, like{};   // its name, and its entry in the library
+  std::vector<std::string> keys{};  // of [[material]], with these values
+  std::string source{};
+
+  static auto fields() {
+    using M = MaterialSource;
+    return std::tuple(field("material", &M::material), field("like", &M::like), field("keys", &M::keys),
+                      field("source", &M::source));
+  }
+};
+
+/// What the report says of a run's inputs besides the project.
+struct ReportInputs {
+  std::vector<InputFile> files{};
+  std::vector<MaterialSource> material_sources{};
+  std::string logo{};  // of the title block, as a `data:` address; empty: none
+
+  static auto fields() {
+    using R = ReportInputs;
+    return std::tuple(field("files", &R::files), field_if_any("material_sources", &R::material_sources),
+                      field_if_any("logo", &R::logo));
+  }
+  [[nodiscard]] std::optional<FieldFault> fault() const;
+};
+
 /// The identity of the run of a summary.
 struct RunIdentity {
   struct Program {
@@ -201,19 +240,20 @@ struct RunSummary : RunIdentity {
   double energy_datum_m = 0;         // z in user coordinates at which potential energy is zero
   std::array<double, 3> origin_m{};  // origin for the quantiles of positions
   TerrainSummary terrain{};
+  ReportInputs inputs{};
   Timings timings{};
 
   static auto fields() {
     using S = RunSummary;
-    return std::tuple(field("talus", &S::talus), field("name", &S::name), field("fingerprint", &S::fingerprint),
-                      field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
-                      field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
-                      field("end_reasons", &S::end_reasons), field("events", &S::events),
-                      field("statistics", &S::statistics), field("histograms", &S::histograms),
-                      field("barriers", &S::barriers), field_if_any("design", &S::design),
-                      field("sources", &S::sources), field("warnings", &S::warnings), field("notes", &S::notes),
-                      field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m),
-                      field("terrain", &S::terrain), field("project", &S::project), field("timings", &S::timings));
+    return std::tuple(
+        field("talus", &S::talus), field("name", &S::name), field("fingerprint", &S::fingerprint),
+        field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
+        field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
+        field("end_reasons", &S::end_reasons), field("events", &S::events), field("statistics", &S::statistics),
+        field("histograms", &S::histograms), field("barriers", &S::barriers), field_if_any("design", &S::design),
+        field("sources", &S::sources), field("warnings", &S::warnings), field("notes", &S::notes),
+        field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m), field("terrain", &S::terrain),
+        field("project", &S::project), field_if_any("inputs", &S::inputs), field("timings", &S::timings));
   }
 };
 

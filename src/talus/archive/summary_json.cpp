@@ -125,6 +125,7 @@ RunSummary run_summary(const RunDescription& description, const Summary& sums, c
   summary.terrain = part_of<TerrainSummary>(model.at("terrain"), "terrain");
   // The description outlives the summary.
   summary.project = SharedJson(std::shared_ptr<const Json>(), &description.project);
+  summary.inputs = description.inputs;
   summary.timings = {.seconds = course.seconds,
                      .rocks_per_second = course.seconds > 0 ? static_cast<double>(sums.done) / course.seconds : 0,
                      .threads = static_cast<std::uint64_t>(course.threads)};

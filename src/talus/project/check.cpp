@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "talus/core/bytes.hpp"
 #include "talus/files/file_formats.hpp"
+#include "talus/files/picture_file.hpp"
 #include "talus/maps/map_list.hpp"
 #include "talus/project/applies.hpp"
 #include "talus/project/check_design.hpp"
@@ -69,6 +71,7 @@ class Rules {
     check_barriers();
     check_design();
     check_output();
+    check_logo();
   }
 
  private:
@@ -329,6 +332,21 @@ class Rules {
                "Add it there", Severity::warning);
       }
     }
+  }
+
+  void check_logo() {
+    const Node node = accepted(table("report"), "logo");
+    std::error_code error;
+    if (!node || !std::filesystem::exists(project_.file, error)) return;  // without a file there is no folder
+    std::string why = why_unreadable(project_, project_.title_block.logo);
+    try {
+      if (why.empty()) (void)data_address_of_picture(project_.file.parent_path() / project_.title_block.logo);
+    } catch (const BadBytes& bad) {
+      why = bad.what();
+    }
+    if (why.empty()) return;
+    report(node, "[report]", fmt::format("logo is {}", quoted(*node)), std::move(why),
+           "Name a PNG or JPEG picture; the path is relative to the project file");
   }
 
   void check_output() {

@@ -162,4 +162,12 @@ Json echo(const Project& project) {
   return out;
 }
 
+Json without_title_block(const Json& echo) {
+  Json rest = Json::object();
+  for (const auto& [key, value] : echo.items()) {
+    if (key != "report") rest[key] = value;
+  }
+  return rest;
+}
+
 }  // namespace talus::project

@@ -13,6 +13,9 @@ namespace talus::project {
 /// lacks, is the string "inf". Numbers are preserved bit for bit.
 [[nodiscard]] nlohmann::ordered_json echo(const Project& project);
 
+/// An echo without [report], which changes no result.
+[[nodiscard]] nlohmann::ordered_json without_title_block(const nlohmann::ordered_json& echo);
+
 /// The value of one member; nullopt if it is not set. In 2D, positions have no y.
 [[nodiscard]] std::optional<nlohmann::ordered_json> written(const Slot& slot, bool two_dimensional);
 

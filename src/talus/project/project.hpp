@@ -258,6 +258,23 @@ struct Design {
   double cost_energy_exponent = 0.5;
 };
 
+enum class Paper { a4, a3 };
+
+/// [report]: the title block of the report. It changes no result.
+struct TitleBlock {
+  std::string client, project, number, author, checked, revision;
+  std::string date;            // as it is to be printed; empty: that of the run
+  std::string text;            // any further text
+  std::filesystem::path logo;  // a PNG or JPEG picture; as written in the file, relative to the project file
+  Paper paper = Paper::a4;
+};
+
+/// The text that a project was read from.
+struct ProjectText {
+  std::uint64_t bytes = 0;
+  std::string sha256;  // as printed by sha256sum
+};
+
 /// An input file that a project names.
 struct NamedFile {
   std::filesystem::path file;  // as written, relative to the project file
@@ -269,7 +286,8 @@ struct NamedFile {
 
 struct Project {
   std::filesystem::path file;  // as the user named it
-  std::string name;            // default: the file's stem
+  ProjectText source;
+  std::string name;  // default: the file's stem
   Analysis analysis;
   Sampling sampling;
   Terrain terrain;
@@ -281,6 +299,7 @@ struct Project {
   std::vector<Kit> kits;
   std::optional<Design> design;  // nullopt: no barrier is designed
   Output output;
+  TitleBlock title_block;
   std::vector<NamedFile> named_files;
 
   [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "talus/core/utf8.hpp"
+#include "talus/files/sha256.hpp"
 #include "talus/project/check.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/read_table.hpp"
@@ -118,6 +119,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   Reading reading;
   Project& project = reading.project;
   project.file = file;
+  project.source = {text.size(), sha256_of(text)};
   ValueReader reader(document, problems);
   for (const Table& table : tables()) {
     const auto add = [&](int line) {

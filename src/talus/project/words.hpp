@@ -46,6 +46,7 @@ inline constexpr std::tuple enumerations{
     worded<ResidualHeight>("unknown", "A", "B", "C"),
     worded<DesignLevel>("MEL", "SEL"),
     worded<DesignEnergy>("translational", "total"),
+    worded<Paper>("A4", "A3"),
 };
 
 template <class Enumeration, class... Listed>

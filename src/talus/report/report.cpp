@@ -13,6 +13,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
+#include "talus/files/base64.hpp"
 #include "talus/files/output_file.hpp"
 #include "talus/report/html_page.hpp"
 #include "talus/report/observed_comparison.hpp"
@@ -123,19 +124,6 @@ Json losses_of(const RunFolder& run) {
           {"by_number", std::move(by_number)}};
 }
 
-// Base64 (RFC 4648), for atob() in browsers.
-std::string base64(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k) three = three << 8U | (k < n ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k) out += k <= n ? letters[three >> (18 - 6 * k) & 63U] : '=';
-  }
-  return out;
-}
-
 Json maps_of(const RunFolder& run) {
   auto maps = Json::array();
   for (const ReportMap& map : run.maps) {
@@ -214,6 +202,14 @@ Json data_of(const RunFolder& run, const RunSummary& summary) {
           {"notes", run.notes}};
 }
 
+void apply(const ReportChanges& changes, RunSummary& summary) {
+  if (changes.title_block.empty()) return;
+  Json project = *summary.project;
+  project["report"].update(changes.title_block);
+  summary.project = std::make_shared<const Json>(std::move(project));
+  if (changes.title_block.contains("logo")) summary.inputs.logo = changes.logo;
+}
+
 std::string title_of(std::span<const RunFolder> runs) {
   std::string title;
   for (const RunFolder& run : runs) {
@@ -237,7 +233,7 @@ std::string report_page(std::span<const RunFolder> runs, std::span<const Json> o
 }
 
 ReportNotes write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,
-                         const char* summary, const std::filesystem::path& observed) {
+                         const char* summary, const std::filesystem::path& observed, const ReportChanges& changes) {
   if (run_folders.empty() || run_folders.size() > 2) {
     throw BadInput(Problem{.file = "",
                            .where = "report",
@@ -255,6 +251,7 @@ ReportNotes write_report(std::span<const std::filesystem::path> run_folders, con
     }
   }
   if (problems.has_errors()) throw BadInput(std::move(problems));
+  for (RunFolder& run : runs) apply(changes, run.summary);
   ReportNotes notes;
   std::vector<Json> comparisons;
   if (!observed.empty()) {

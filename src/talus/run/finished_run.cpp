@@ -10,6 +10,7 @@
 
 #include "talus/archive/run_summary.hpp"
 #include "talus/core/problems.hpp"
+#include "talus/project/echo.hpp"
 #include "talus/run/result_files.hpp"
 
 namespace talus::project {
@@ -98,7 +99,8 @@ RunInputs inputs_of(const RunDescription& description) {
 }
 
 std::optional<std::string> difference_of_inputs(const RunInputs& then, const RunInputs& now) {
-  const std::vector<std::string> settings = changed_settings(then.project, now.project);
+  const std::vector<std::string> settings =
+      changed_settings(without_title_block(then.project), without_title_block(now.project));
   if (!settings.empty()) return fmt::format("{}", fmt::join(settings, "; "));
   if (then.fingerprint == now.fingerprint) return std::nullopt;
   if (then.paths_revision != now.paths_revision) {

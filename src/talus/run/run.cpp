@@ -13,6 +13,7 @@
 #include "talus/files/output_file.hpp"
 #include "talus/run/checkpoint.hpp"
 #include "talus/run/finished_run.hpp"
+#include "talus/run/report_inputs.hpp"
 #include "talus/run/result_files.hpp"
 #include "talus/run/run_on_ranks.hpp"
 
@@ -128,7 +129,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   std::optional<FolderLock> lock;
   if (options.lock == nullptr) lock.emplace(lock_output_folder(folder));
   std::optional<StopScope> beginning(std::in_place, options.campaign.stop);
-  const RunDescription description = describe_run(project, model, warnings, options.shard);
+  RunDescription description = describe_run(project, model, warnings, options.shard);
   const Start start = find_start(folder, description, options);
   const RunStateHeader& begun = start.state;
   if (start.is_complete) return {.summary = Summary(0, 0), .range = begun.range, .was_complete = true};
@@ -139,6 +140,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   }
   // Before anything of an earlier run is changed.
   check_that_results_have_room(folder, description, options.shard);
+  description.inputs = report_inputs(project);
   const std::vector<int> threads =
       options.ranks != nullptr ? meet_ranks(*options.ranks, description, options.campaign.threads) : std::vector<int>();
 

@@ -28,6 +28,7 @@ export const sections: Section[] = [
   },
   { name: 'sampling', title: 'Sampling', tables: ['sampling'], lists: [] },
   { name: 'output', title: 'Output', tables: ['output'], lists: [] },
+  { name: 'report', title: 'Title block of the report', tables: ['report'], lists: [] },
   { name: 'design', title: 'Barrier design', tables: ['design'], lists: [{ key: 'kit', one: 'kit' }] },
 ];
 

@@ -83,6 +83,8 @@ export function summaryOf(key: TableName, index?: number): string {
       return `seed ${valueText(valueAt(['sampling', 'seed']) ?? defaultOf('sampling', 'seed'))}`;
     case 'output':
       return `paths of ${valueText(valueAt(['output', 'paths']) ?? defaultOf('output', 'paths'))}`;
+    case 'report':
+      return valueText(valueAt(['report', 'number'])) || valueText(valueAt(['report', 'paper']) ?? defaultOf('report', 'paper'));
     case 'design':
       return isTable(values.value.design) ? 'on' : 'off';
     default:

@@ -1,5 +1,6 @@
 // The toolbar of the scene.
 
+import { AnimationButton } from '../animation/AnimationButton';
 import { contours, exaggeration, shading, type Shading } from '../view/settings';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
@@ -68,6 +69,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
       >
         Picture
       </button>
+      <AnimationButton view={open.animated} />
     </ViewBar>
   );
 }

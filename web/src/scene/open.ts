@@ -1,11 +1,12 @@
 // The entry to all modules that use three.js, loaded when a scene is first shown.
 
+import type { AnimatedView } from '../animation/film';
 import { chosenRock, resultsTab } from '../state/view';
 import { ModelScene } from './modelScene';
 import { ObservedScene } from './observedScene';
 import { Pointing } from './pointing';
 import { RunScene } from './runScene';
-import { scenePicture } from './scenePrint';
+import { animatedScene, scenePicture } from './scenePrint';
 import type { SheetPicture } from '../view/sheet';
 
 export interface OpenScene {
@@ -13,6 +14,7 @@ export interface OpenScene {
   pointing: Pointing;
   /// The picture for print.
   picture: () => Promise<SheetPicture>;
+  animated: AnimatedView;
   dispose(): void;
 }
 
@@ -30,6 +32,7 @@ export function openScene(host: HTMLElement): OpenScene {
     scene,
     pointing,
     picture: () => scenePicture(scene),
+    animated: animatedScene(scene),
     dispose() {
       pointing.dispose();
       runs.dispose();

@@ -1,5 +1,6 @@
 // The scene for print.
 
+import type { AnimatedView, Size } from '../animation/film';
 import { shownMap } from '../maps/shownMap';
 import { numberText } from '../ui/format';
 import { printRatio } from '../view/png';
@@ -15,20 +16,24 @@ const timeout = 6000; // ms to load terrain at the resolution of the print
 
 const wait = (time: number) => new Promise((done) => setTimeout(done, time));
 
-/// Loads the terrain at the resolution of the print.
-async function loadTerrain(scene: ModelScene) {
+/// Loads the terrain for a picture of this size, with `ratio` pixels per CSS pixel.
+async function loadTerrain(scene: ModelScene, size: Size, ratio: number) {
   const until = performance.now() + timeout;
-  const pixels = pictureSize.height * printRatio;
-  while (performance.now() < until && scene.inSize(pictureSize, () => scene.missing(pixels)) > 0) await wait(100);
+  while (performance.now() < until && scene.inSize(size, () => scene.missing(size.height * ratio)) > 0) await wait(100);
+}
+
+/// The view at the present size, with names.
+function copied(scene: ModelScene, ratio: number): HTMLCanvasElement {
+  const canvas = scene.stage.copy(ratio);
+  const pen = canvas.getContext('2d')!;
+  pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+  drawNames(pen, scene.stage, scene.names(), []);
+  return canvas;
 }
 
 function paint(scene: ModelScene): SheetPicture {
-  const { stage } = scene;
   return scene.inSize(pictureSize, () => {
-    const canvas = stage.copy(printRatio);
-    const pen = canvas.getContext('2d')!;
-    pen.setTransform(printRatio, 0, 0, printRatio, 0, 0);
-    drawNames(pen, stage, scene.names(), []);
+    const canvas = copied(scene, printRatio);
     const { metresPerPixel, heading } = picture.camera.peek();
     const interval = picture.contourInterval.peek();
     const remarks = [
@@ -42,10 +47,20 @@ function paint(scene: ModelScene): SheetPicture {
 }
 
 export async function scenePicture(scene: ModelScene): Promise<SheetPicture> {
-  await loadTerrain(scene);
+  await loadTerrain(scene, pictureSize, printRatio);
   try {
     return inLight(() => paint(scene));
   } finally {
     scene.stage.invalidate();
   }
 }
+
+/// The scene as the frames of an animation.
+export const animatedScene = (scene: ModelScene): AnimatedView => ({
+  prepare: (size) => loadTerrain(scene, size, 1),
+  paint(size) {
+    const frame = inLight(() => scene.inSize(size, () => copied(scene, 1)));
+    scene.stage.draw(); // the view behind the dialog, whose picture was used
+    return frame;
+  },
+});

@@ -1,5 +1,6 @@
 // The toolbar of the section.
 
+import { AnimationButton } from '../animation/AnimationButton';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
 import { saveSheet } from '../view/sheet';
@@ -9,7 +10,7 @@ import { equalAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
 import { fit, frame } from './framed';
-import { sectionPicture } from './sectionPrint';
+import { animatedSection, sectionPicture } from './sectionPrint';
 
 function zoom(factor: number) {
   const now = frame.value;
@@ -38,6 +39,7 @@ export function SectionBar() {
       <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet(sectionPicture)}>
         Picture
       </button>
+      <AnimationButton view={animatedSection} />
     </ViewBar>
   );
 }

@@ -2,6 +2,7 @@
 
 import { about } from '../state/about';
 import { file, fileStem, values } from '../state/document';
+import { isTable } from '../model/place';
 import { model } from '../state/model';
 import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
@@ -87,6 +88,13 @@ function drawNorth(pen: Pen, heading: number, x: number, y: number) {
   pen.restore();
 }
 
+/// Of the title block of the report: what identifies the work.
+function titleBlockFacts(): string[] {
+  const block = values.peek().report;
+  const of = (key: string) => (isTable(block) && typeof block[key] === 'string' ? (block[key] as string) : '');
+  return [of('client'), of('project'), of('number'), of('revision') && `Rev. ${of('revision')}`, of('author')].filter(Boolean);
+}
+
 function drawWords(pen: Pen, remarks: readonly string[]) {
   pen.fillStyle = ink;
   pen.textBaseline = 'alphabetic';
@@ -99,7 +107,7 @@ function drawWords(pen: Pen, remarks: readonly string[]) {
   pen.fillStyle = faint;
   pen.fillText([...ofRun, ...remarks].join(' · '), margin, 50, sheet.width - 2 * margin);
   const crs = model.peek()?.crs;
-  const facts = [file.peek() ?? '', ...(crs ? [`coordinates: ${crs}`] : []), new Date().toISOString().slice(0, 10), `Talus ${about.peek()?.version ?? ''}`];
+  const facts = [...titleBlockFacts(), file.peek() ?? '', ...(crs ? [`coordinates: ${crs}`] : []), new Date().toISOString().slice(0, 10), `Talus ${about.peek()?.version ?? ''}`];
   pen.font = font(10.5);
   pen.fillText(facts.join(' · '), margin, sheet.height - 12, sheet.width - 2 * margin);
 }

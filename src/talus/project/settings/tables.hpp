@@ -18,6 +18,7 @@ Table collector_table();
 Table kit_table();
 Table design_table();
 Table output_table();
+Table report_table();
 Table distribution_table();
 
 }  // namespace talus::project::declared

@@ -29,6 +29,7 @@ constexpr Topic runout{"outputs.md", "Runout"};
 constexpr Topic geopackage{"outputs.md", "results.gpkg"};
 constexpr Topic vtk{"outputs.md", "paths.vtp"};
 constexpr Topic maps{"outputs.md", "maps/"};
+constexpr Topic sheet{"sheet.md", "The title block"};
 constexpr Topic design{"barrier-design.md", "What is counted"};
 constexpr Topic design_check{"barrier-design.md", "The check"};
 constexpr Topic factor_file{"barrier-design.md", "A set of factors of one's own"};

@@ -4,6 +4,13 @@
 const applies = (run, table, key, row) =>
   figures.hasEffect((settingConditions[table] || {})[key] || [], table, row, run.project);
 
+// A setting's default, if it has a fixed one; `key` is "table/key".
+function defaultText(key) {
+  const [group, name] = key.split('/');
+  const value = (settingDefaults[group] || {})[name];
+  return value === undefined ? null : settingText(value);
+}
+
 function settings(parent) {
   const groups = ['analysis', 'sampling', 'design', 'output'];
   const shown = (run, group, key) => applies(run, group, key, run.project[group]) && key !== 'report';
@@ -18,10 +25,13 @@ function settings(parent) {
   for (const group of groups) {
     const part = keys.filter((key) => key.startsWith(group + '/'));
     if (!part.length) continue;
+    // A third column with the default of settings that have another value, unless all have their defaults.
+    const changed = (key) => runs.some((run) => defaultText(key) !== null && valueOf(run, key) !== '–' && valueOf(run, key) !== defaultText(key));
+    const hasDefaults = part.some(changed);
     table(parent, {
       caption: wordsOf(group),
-      head: [[{text: 'Setting'}, ...(single ? [{text: 'Value'}] : runs.map((run) => ({text: run.label, run})))]],
-      rows: part.map((key) => [{text: wordsOf(key.split('/')[1]), unit: unitOf(key)}, ...runs.map((run) => valueOf(run, key))]),
+      head: [[{text: 'Setting'}, ...(single ? [{text: 'Value'}] : runs.map((run) => ({text: run.label, run}))), ...(hasDefaults ? [{text: 'Default'}] : [])]],
+      rows: part.map((key) => [{text: wordsOf(key.split('/')[1]), unit: unitOf(key)}, ...runs.map((run) => valueOf(run, key)), ...(hasDefaults ? [changed(key) ? defaultText(key) : ''] : [])]),
       rowClass: (i) => differs(part[i]) ? 'differs' : '',
     });
   }
@@ -41,10 +51,33 @@ function inputs(parent) {
     (key, value) => value === 'inf' ? 'unlimited' : settingText(value));
 }
 
+const wordsOfKeys = (keys) => keys.map((key) => wordsOf(key).toLowerCase()).join(', ');
+
+// Sources of materials' values that are those of the library.
+function materialSources(parent) {
+  forEachRun('Sources of the materials’ values', (run) => (run.summary.inputs || {}).material_sources || [], (title, list) => table(parent, {
+    caption: title, head: [['Material', 'Library', 'Values', 'Source']],
+    rows: list.map(({material, like, keys, source}) => [material, like, wordsOfKeys(keys), source]),
+  }));
+}
+
+function inputFiles(parent) {
+  forEachRun('Input files', (run) => (run.summary.inputs || {}).files || [], (title, list) => table(parent, {
+    caption: title, head: [['File', {text: 'Size', unit: 'bytes'}, 'SHA-256']],
+    rows: list.map(({name, bytes, sha256}) => [name, number(bytes, 15), {text: '', draw: (td) => element(td, 'code', sha256 || '–', {class: 'sum'})}]),
+    numeric: (column) => column === 1,
+  }));
+  if (runs.some((run) => run.summary.inputs)) {
+    element(parent, 'p', 'Files as they were when the run began; paths are relative to the project file. sha256sum FILE, or Get-FileHash FILE on Windows, prints the checksum of a file.', {class: 'quiet'});
+  }
+}
+
 function modelTables(parent) {
   const box = element(parent, 'div', null, {class: 'packed'});
   factsTable(box, 'Terrain', terrainRows);
   factsTable(box, 'Ground', groundRows);
   settings(box);
   inputs(parent);
+  materialSources(parent);
+  inputFiles(parent);
 }

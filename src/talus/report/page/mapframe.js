@@ -10,13 +10,16 @@ const unitsPerMetre = (denominator) => 1000 / denominator / drawing.mmOnPaper;
 // A tall map takes half the width, so that two fit side by side.
 const mapWidth = ({x: [x0, x1], y: [y0, y1]}) => (x1 - x0) / (y1 - y0) < 1.25 ? drawing.half : drawing.wide;
 
-const mapRoom = (width) => ({left: 74, across: width - 74 - 12, tallest: 430});
+// The room for a map: `across` and `tallest` are those of its frame, which `fills` it if there is ground to show; its
+// notes stand beside the legend, or below it.
+const mapRoom = (width, tallest = 430, fills = false) => ({width, left: 74, across: width - 74 - 12, tallest, fills, isBeside: width >= drawing.wide});
 
 // The minimum number of metres per drawing unit for the view to fit.
-function metresPerUnit(width, {x: [x0, x1], y: [y0, y1]}) {
-  const {across, tallest} = mapRoom(width);
+function metresPerUnit({across, tallest}, {x: [x0, x1], y: [y0, y1]}) {
   return Math.max((x1 - x0) / across, (y1 - y0) / tallest);
 }
+
+const mapScaleIn = (room, view) => roundScale(metresPerUnit(room, view) * unitsPerMetre(1));
 
 // Extends the interval [a, b] into [low, high] about its centre, up to a length.
 function extend([a, b], length, [low, high]) {
@@ -34,12 +37,12 @@ function groundOf(shown, view) {
 }
 
 // The frame of a map: the view and as much of the surrounding ground as fits; x and y have the same scale.
-function mapFrame(width, view, ground) {
-  const {left, across} = mapRoom(width);
-  const denominator = roundScale(metresPerUnit(width, view) * unitsPerMetre(1));
+function mapFrame(room, view, ground) {
+  const {left, across, tallest, fills} = room;
+  const denominator = mapScaleIn(room, view);
   const scale = unitsPerMetre(denominator);
   const x = extend(view.x, across / scale, ground.x);
-  const y = extend(view.y, Math.max(view.y[1] - view.y[0], 0.3 * across / scale), ground.y);
+  const y = extend(view.y, Math.max(view.y[1] - view.y[0], (fills ? tallest : 0.3 * across) / scale), ground.y);
   const side = {left, top: 12, right: left + (x[1] - x[0]) * scale, bottom: 12 + (y[1] - y[0]) * scale};
   const toX = d3.scaleLinear().domain(x).range([side.left, side.right]), toY = d3.scaleLinear().domain(y).range([side.bottom, side.top]);
   return {side, scale, denominator, shown: {x, y}, toX, toY};
@@ -66,14 +69,15 @@ const systemText = (run) => {
   return (run.project.terrain || {}).crs === 'local' ? 'Local coordinates' : 'Coordinate system unknown';
 };
 
+const scaleText = (denominator) => `Scale 1:${number(denominator)} on ${paperName}`;
+
 // Writes scale and coordinate system: at the right below a wide map, otherwise below everything else (`lowest`). Returns
 // the y of their end.
-function noteMap(svg, width, frame, run, more, y, lowest) {
-  const lines = [[`Scale 1:${number(frame.denominator)} on A4`, ...more].join(', '), systemText(run)];
-  const beside = width === drawing.wide;
-  const top = beside ? y : lowest + 16;
-  lines.forEach((text, i) => svg.append('text').attr('class', 'map-note').attr('text-anchor', beside ? 'end' : 'start')
-    .attr('x', beside ? width - 12 : frame.side.left).attr('y', top + 17 * i).text(text));
+function noteMap(svg, {width, isBeside}, frame, run, more, y, lowest) {
+  const lines = [[scaleText(frame.denominator), ...more].join(', '), systemText(run)];
+  const top = isBeside ? y : lowest + 16;
+  lines.forEach((text, i) => svg.append('text').attr('class', 'map-note').attr('text-anchor', isBeside ? 'end' : 'start')
+    .attr('x', isBeside ? width - 12 : frame.side.left).attr('y', top + 17 * i).text(text));
   return Math.max(lowest, top + 17) + 8;
 }
 

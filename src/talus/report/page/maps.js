@@ -89,7 +89,7 @@ function mapFigure(parent, run, map, scale, view) {
     title: single ? kind.title : `${kind.title} · ${run.label}`, label: `Map: ${kind.quantity} in ${kind.unit}`,
     caption: '', width: single ? mapWidth(view) : drawing.half,
     draw(svg, width) {
-      const frame = mapFrame(width, view, groundOf(runs, view));
+      const frame = mapFrame(mapRoom(width), view, groundOf(runs, view));
       const {side, toX, toY} = frame;
       const inside = openMap(svg, id, frame);
       if (shade) layRelief(inside, frame, relief, shade);
@@ -104,7 +104,7 @@ function mapFigure(parent, run, map, scale, view) {
       drawScaleBar(inside, side, frame.scale);
       drawNorthArrow(inside, side, Boolean(run.terrain.crs_wkt));
       const y = side.bottom + 56;
-      return noteMap(svg, width, frame, run, [`cells of ${cellText}`, `up to ${measured(map.greatest / kind.per)} ${kind.unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
+      return noteMap(svg, mapRoom(width), frame, run, [`cells of ${cellText}`, `up to ${measured(map.greatest / kind.per)} ${kind.unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
     },
   });
 }

@@ -24,7 +24,7 @@ function observedPlan(parent, run) {
     width,
     rows: () => [['of', 'x_m', 'y_m'], ...run.endpoints.map((e) => ['simulated', e.x, e.y]), ...run.stops.map((s) => ['observed', s.x, s.y])],
     draw(svg) {
-      const frame = mapFrame(width, view, groundOf([run], view));
+      const frame = mapFrame(mapRoom(width), view, groundOf([run], view));
       const {side, toX, toY, shown} = frame;
       const inside = openMap(svg, `observed-frame-${run.index}`, frame);
       if (relief) {
@@ -40,7 +40,7 @@ function observedPlan(parent, run) {
       drawNorthArrow(inside, side, Boolean(run.terrain.crs_wkt));
       const y = side.bottom + 58;
       const signs = [{text: 'observed stop', draw: stopSign}, {text: 'simulated end point', draw: sign.circle('end', run.colour)}];
-      return noteMap(svg, width, frame, run, [], y, legend(svg, signs, side.left, y, width === drawing.wide ? 0.6 * width : width) + 6);
+      return noteMap(svg, mapRoom(width), frame, run, [], y, legend(svg, signs, side.left, y, width === drawing.wide ? 0.6 * width : width) + 6);
     },
   });
   return width;

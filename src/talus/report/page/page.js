@@ -4,12 +4,26 @@ function heading() {
   const head = d3.select('#head');
   element(head, 'p', single ? 'Rockfall analysis' : 'Rockfall analysis · two runs compared', {class: 'kind'});
   element(head, 'h1', single || alike ? runs[0].name : runs.map((run) => run.name).join(' and '));
+  const {client, project, number: numberText, author, checked, revision} = titleBlock;
+  const block = [['Client ', client], ['Project ', project], ['Number ', numberText], ['Revision ', revision], ['Author ', author], ['Checked ', checked]].filter(([, value]) => value);
+  if (block.length) factsLine(head, block);
+  factsList(head);
+}
+
+function factsLine(parent, parts, run) {
+  const facts = element(parent, 'p', null, {class: 'facts'});
+  if (run) {
+    element(facts, 'span', run.label, {class: 'run-name'}).style('--run', run.colour);
+    facts.append('span').text('   ');
+  }
+  parts.forEach(([label, value], i) => {
+    facts.append('span').text((i ? '  ·  ' : '') + label);
+    element(facts, 'b', value);
+  });
+}
+
+function factsList(parent) {
   for (const run of runs) {
-    const facts = element(head, 'p', null, {class: 'facts'});
-    if (!single) {
-      element(facts, 'span', run.label, {class: 'run-name'}).style('--run', run.colour);
-      facts.append('span').text('   ');
-    }
     const model = {lumped_mass: 'lumped mass', rigid_sphere: 'rigid sphere'}[(run.project.analysis || {}).model];
     const talus = run.summary.talus || {};
     const rocks = run.summary.rocks || {};
@@ -17,10 +31,7 @@ function heading() {
       ['', run.date], ['Model ', model && `${model}, ${run.isSection ? '2D' : '3D'}`], ['Rocks ', isNumber(rocks.done) ? number(rocks.done) : null],
       ['Terrain ', terrainFile(run)], ['Seed ', run.summary.seed === undefined ? null : String(run.summary.seed)], ['Talus ', talus.version], ['Folder ', run.folder],
     ].filter(([, value]) => value);
-    parts.forEach(([label, value], i) => {
-      facts.append('span').text((i ? '  ·  ' : '') + label);
-      element(facts, 'b', value);
-    });
+    factsLine(parent, parts, single ? null : run);
   }
 }
 
@@ -60,6 +71,7 @@ if (runs.some((run) => run.uncertainty.figures.length)) section('Uncertainty', '
 if (runs.some((run) => run.convergence.figures.length)) section('Precision', 'precision', convergenceSections);
 section('Energy', 'energy', (node) => { energyFigures(node); impactFigure(node); });
 section('Model', 'model', modelTables);
+sheet();
 fitTablesToPaper();
 {
   const foot = d3.select('#foot');

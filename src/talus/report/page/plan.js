@@ -64,83 +64,98 @@ function planViews(spatial, relief) {
 
 // Whether the rocks cover so little of the terrain that the plan opens zoomed in on them.
 function coversLittle({rocks, terrain}) {
-  return rocks !== null && metresPerUnit(drawing.wide, terrain) > 1.6 * metresPerUnit(drawing.wide, rocks);
+  const room = mapRoom(drawing.wide);
+  return rocks !== null && metresPerUnit(room, terrain) > 1.6 * metresPerUnit(room, rocks);
+}
+
+// What a plan shows; null if there is no run in 3D to draw.
+const plan = (() => {
+  const spatial = runs.filter((run) => !run.isSection);
+  const reliefRun = spatial.find((run) => run.terrain.relief);
+  const relief = reliefRun && reliefRun.terrain.relief;
+  const views = spatial.length ? planViews(spatial, relief) : null;
+  return views && {spatial, relief, views, canZoom: coversLittle(views), picture: relief ? hillshade(relief) : null, contours: new Map()};
+})();
+
+// Contours within the extent that a frame shows; kept, because they take a while.
+function contoursOf(shown) {
+  const key = JSON.stringify(shown);
+  if (!plan.contours.has(key)) plan.contours.set(key, plan.relief ? contoursWithin(plan.relief, shown) : {interval: 0, lines: []});
+  return plan.contours.get(key);
+}
+
+function drawContours(inside, {interval, lines: contourSets}, {toX, toY, shown: {x: [x0, x1], y: [y0, y1]}}) {
+  const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
+  const named = [];  // positions of contour labels, kept apart from each other
+  const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
+  for (const {level, lines} of contourSets) {
+    const main = Math.round(level / interval) % 5 === 0;
+    tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${number(level)} m`);
+    const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
+    if (!main || longest.length < 8) continue;
+    const place = longest[Math.floor(longest.length * 0.12)];
+    const at = [toX(place[0]), toY(place[1])];
+    if (named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
+    named.push(at);
+    inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(`${number(level)} m`);
+  }
+}
+
+const planFrame = (room, extent) => mapFrame(room, plan.views[extent], groundOf(plan.spatial, plan.views[extent]));
+
+// Draws one of the extents of the plan. Returns the y of its end.
+function drawPlan(svg, room, extent, id) {
+  const frame = planFrame(room, extent);
+  const {side, toX, toY} = frame;
+  const contours = contoursOf(frame.shown);
+  const inside = openMap(svg, id, frame);
+  if (plan.relief) {
+    layRelief(inside, frame, plan.relief, plan.picture);
+    drawContours(inside, contours, frame);
+  }
+  const flat = (rock) => 'M' + rock.rows.map((row) => `${toX(row.x).toFixed(2)},${toY(row.y).toFixed(2)}`).join('L');
+  drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
+  for (const barrier of plan.spatial.flatMap(barriersOf)) drawBarrierOnPlan(inside, barrier, toX, toY, side);
+  drawScaleBar(inside, side, frame.scale);
+  drawNorthArrow(inside, side, Boolean(plan.spatial[0].terrain.crs_wkt));
+  const signs = [
+    ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
+    {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
+    {text: 'release', draw: sign.circle('release', '')},
+    ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
+    ...(contours.interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),
+  ];
+  const y = side.bottom + 58;
+  return noteMap(svg, room, frame, plan.spatial[0], [], y, legend(svg, signs, side.left, y, room.isBeside ? 0.6 * room.width : room.width));
+}
+
+function planCaption(room, extent) {
+  const {interval} = contoursOf(planFrame(room, extent).shown);
+  return shownText() + (plan.relief ? `Contours every ${number(interval)} m; relief lit from the upper left.` : 'The summary has no relief to draw.') +
+    (plan.spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and drawn at y = 0.` : '');
 }
 
 // Returns the figure's width; null if there is no run in 3D to draw.
 function planFigure(parent) {
-  const spatial = runs.filter((run) => !run.isSection);
-  if (!spatial.length) return null;
-  const reliefRun = spatial.find((run) => run.terrain.relief);
-  const relief = reliefRun && reliefRun.terrain.relief;
-  const views = planViews(spatial, relief);
-  if (!views) return null;
-  const canZoom = coversLittle(views);
-  let shown = canZoom ? 'rocks' : 'terrain';
-  const frameNow = () => mapFrame(width, views[shown], groundOf(spatial, views[shown]));
-  const contoursOf = {};
-  const contours = () => contoursOf[shown] || (contoursOf[shown] = relief ? contoursWithin(relief, frameNow().shown) : {interval: 0, lines: []});
-  const captionText = () => shownText() + (relief ? `Contours every ${number(contours().interval)} m; relief lit from the upper left.` : 'The summary has no relief to draw.') +
-    (spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and drawn at y = 0.` : '');
-  const picture = relief ? hillshade(relief) : null;
-  const width = mapWidth(views[shown]);
+  if (!plan) return null;
+  let shown = plan.canZoom ? 'rocks' : 'terrain';
+  const width = mapWidth(plan.views[shown]), room = mapRoom(width);
   const made = figure(parent, {
     title: 'Plan with trajectories',
     label: 'Plan of the terrain with contours, trajectories and end points',
-    caption: captionText(),
+    caption: planCaption(room, shown),
     width,
     rows: shownRows,
-    draw(svg) {
-      const {interval, lines: contourSets} = contours();
-      const frame = frameNow();
-      const {side, toX, toY, shown: {x: [x0, x1], y: [y0, y1]}} = frame;
-      const inside = openMap(svg, 'plan-frame', frame);
-      if (relief) {
-        layRelief(inside, frame, relief, picture);
-        const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
-        const named = [];  // positions of contour labels, kept apart from each other
-        const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
-        for (const {level, lines} of contourSets) {
-          const main = Math.round(level / interval) % 5 === 0;
-          tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${number(level)} m`);
-          const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
-          if (!main || longest.length < 8) continue;
-          const place = longest[Math.floor(longest.length * 0.12)];
-          const at = [toX(place[0]), toY(place[1])];
-          if (named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
-          named.push(at);
-          inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(`${number(level)} m`);
-        }
-      }
-      const flat = (rock) => 'M' + rock.rows.map((row) => `${toX(row.x).toFixed(2)},${toY(row.y).toFixed(2)}`).join('L');
-      drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
-      for (const run of spatial) {
-        for (const barrier of barriersOf(run)) {
-          drawBarrierOnPlan(inside, barrier, toX, toY, side);
-        }
-      }
-      drawScaleBar(inside, side, frame.scale);
-      drawNorthArrow(inside, side, Boolean(spatial[0].terrain.crs_wkt));
-      const signs = [
-        ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
-        {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
-        {text: 'release', draw: sign.circle('release', '')},
-        ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
-        ...(interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),
-      ];
-      const rightmost = width === drawing.wide ? 0.6 * width : width;
-      const y = side.bottom + 58;
-      return noteMap(svg, width, frame, spatial[0], [], y, legend(svg, signs, side.left, y, rightmost));
-    },
+    draw: (svg) => drawPlan(svg, room, shown, 'plan-frame'),
   });
   choice.listeners.push(made.redraw);
-  if (!canZoom) return width;
+  if (!plan.canZoom) return width;
   const other = () => shown === 'rocks' ? 'Show the whole terrain' : 'Show the rocks';
   const zoom = element(made.head.insert('span', '.save').attr('class', 'zoom'), 'button', other(), {type: 'button'});
   zoom.on('click', () => {
     shown = shown === 'rocks' ? 'terrain' : 'rocks';
     zoom.text(other());
-    made.caption.text(captionText());
+    made.caption.text(planCaption(room, shown));
     made.redraw();
   });
   return width;

@@ -37,6 +37,11 @@ for (const run of runs) {
   run.label = alike ? folder : run.name;
 }
 
+// The title block; of two runs that of the first. Both papers leave columns of 184 mm between their margins.
+const titleBlock = runs[0].project.report || {};
+const papers = {A4: {size: 'A4 portrait', mm: 184}, A3: {size: 'A3 landscape', mm: 394}};
+const paperName = papers[titleBlock.paper] ? titleBlock.paper : 'A4';
+
 // The entries of a repeated table of the project, such as [[material]].
 const listOf = (run, table) => run.project[table] || [];
 const materialsOf = (run) => listOf(run, 'material');

@@ -9,10 +9,17 @@ function choose(rock) {
   choice.listeners.forEach((listener) => listener());
 }
 
-// A frame with the same scale on both axes, as large as the width and `tallest` allow. It is no wider than its content,
-// so that the legend fits next to it.
-function equalFrame(width, left, du, dz, tallest) {
-  const scale = Math.min((width - left - 14) / du, tallest / dz);
+const sectionLeft = 68;  // of the frame
+
+// The round scale at which a section of these lengths fits.
+const sectionScaleIn = (width, tallest, du, dz) =>
+  roundScale(unitsPerMetre(1) * Math.max(du / (width - sectionLeft - 14), dz / tallest));
+
+// A frame with the same round scale on both axes, as large as the width and `tallest` allow. It is no wider than its
+// content, so that the legend fits next to it.
+function equalFrame(width, du, dz, tallest) {
+  const left = sectionLeft, denominator = sectionScaleIn(width, tallest, du, dz);
+  const scale = unitsPerMetre(denominator);
   const room = Math.max(du * scale, Math.min(420, width - left - 14)), height = Math.max(dz * scale, 110);
   const side = {left, top: 12, right: left + room, bottom: 12 + height};
   const isBeside = width - side.right > 190;
@@ -21,7 +28,7 @@ function equalFrame(width, left, du, dz, tallest) {
     entries.forEach((entry, i) => legend(svg, [entry], side.right + 26, side.top + 12 + 23 * i));
     return Math.max(side.bottom + 46, side.top + 23 * entries.length + 12);
   };
-  return {side, room, height, scale, legend: drawLegend};
+  return {side, room, height, scale, denominator, legend: drawLegend};
 }
 
 // ---- the horizontal axis: x if any run is two-dimensional, otherwise the mean direction of travel
@@ -192,7 +199,8 @@ function barrierLine(barrier) {
   return Array.isArray(line[0]) ? line : [[line[0], line[1] || 0]];
 }
 
-function sectionFigure(parent, width = drawing.wide) {
+// What the section shows; null if the runs have neither a section nor trajectories.
+const slope = (() => {
   const grounds = [];
   const us = [], zs = [];
   for (const run of runs) {
@@ -208,7 +216,7 @@ function sectionFigure(parent, width = drawing.wide) {
     if (!run.isSection && run.terrain.relief && !grounds.some((g) => g.section)) grounds.push({run, points: reliefProfile(run.terrain.relief, ...reach), section: false});
   }
   for (const ground of grounds) ground.points.forEach(([u, z]) => { us.push(u); zs.push(z); });
-  if (!us.length) return element(parent, 'p', 'The run has neither a section nor trajectories to draw.', {class: 'quiet'});
+  if (!us.length) return null;
   const walls = runs.flatMap((run) => barriersOf(run).map((barrier) => {
     const line = barrierLine(barrier);
     if (!line.length || !isNumber(barrier.height_m)) return null;
@@ -230,63 +238,79 @@ function sectionFigure(parent, width = drawing.wide) {
 
   const [u0, u1] = extentOf(us, 0.02), [z0, z1] = extentOf(zs, 0.06);
   const agree = grounds.length === 2 && JSON.stringify(grounds[0].points) === JSON.stringify(grounds[1].points);
-  const made = figure(parent, {
-    title: 'Section with trajectories',
-    label: 'Section of the slope with trajectories; both axes have the same scale',
-    caption: '',
-    width,
-    rows: shownRows,
-    draw(svg) {
-      const frame = equalFrame(width, 68, u1 - u0, z1 - z0, 325);
-      const {side, room, height, scale} = frame;
-      const middleU = (u0 + u1) / 2, middleZ = (z0 + z1) / 2;
-      const toX = d3.scaleLinear().domain([middleU - room / scale / 2, middleU + room / scale / 2]).range([side.left, side.right]);
-      const toY = d3.scaleLinear().domain([middleZ - height / scale / 2, middleZ + height / scale / 2]).range([side.bottom, side.top]);
-      axes(svg, toX, toY, side, {xLabel: travel.label, yLabel: 'z [m]'});
-      svg.append('clipPath').attr('id', 'section-frame').append('rect').attr('x', side.left).attr('y', side.top).attr('width', room).attr('height', height);
-      const inside = svg.append('g').attr('clip-path', 'url(#section-frame)');
-      const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
-      const used = new Set();
-      grounds.forEach((ground, k) => {
-        if (!ground.points.length || (agree && k > 0)) return;
-        const first = ground.points[0], last = ground.points[ground.points.length - 1];
-        if (k === 0) inside.append('path').attr('class', 'ground').attr('d', `${line(ground.points)}L${toX(last[0])},${side.bottom}L${toX(first[0])},${side.bottom}Z`);
-        inside.append('path').attr('class', 'ground-line').attr('d', line(ground.points))
-          .style('stroke', grounds.length > 1 && !agree ? ground.run.colour : null);
-        const land = ground.run.project.ground || {};
-        if (!ground.section || (grounds.length > 1 && !agree) || !materialsOf(ground.run).length) return;
-        for (let i = 0; i + 1 < ground.points.length; ++i) {
-          const name = (Array.isArray(land.segments) && land.segments[i]) || land.default;
-          const colour = materialColour(ground.run, name);
-          if (!colour) continue;
-          used.add(name);
-          tip(inside.append('path').attr('class', 'ground-line').attr('d', line([ground.points[i], ground.points[i + 1]]))
-            .style('stroke', colour).style('stroke-width', 4), () => `Segment ${i + 1}: ${name}`);
-        }
-      });
-      const horizontal = (row) => travel.along(row.x, row.y);
-      const speed = (row) => row.vx * travel.direction[0] + row.vy * travel.direction[1];
-      drawRocks(inside, (rock) => pathText(rock, toX, toY, horizontal, speed), toX, toY, horizontal, (e) => e.z);
-      for (const wall of walls) {
-        inside.append('line').attr('class', 'barrier').attr('x1', toX(wall.u)).attr('y1', toY(wall.foot)).attr('x2', toX(wall.top[0])).attr('y2', toY(wall.top[1]));
-        inside.append('text').attr('class', 'barrier-name halo').attr('x', toX(wall.top[0]) + 7).attr('y', toY(wall.top[1]) + 2)
-          .text(`${wall.barrier.name}, ${number(wall.barrier.height_m)} m`);
-      }
-      return frame.legend(svg, [
-        ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
-        {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
-        {text: 'release', draw: sign.circle('release', '')},
-        ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
-        ...[...used].map((name) => ({text: name, draw: (g) => g.append('line').attr('class', 'ground-line').attr('x2', 22).style('stroke', materialColour(runs[0], name)).style('stroke-width', 4)})),
-      ]);
-    },
+  return {grounds, walls, agree, u: [u0, u1], z: [z0, z1]};
+})();
+
+// Draws the section into a frame of at most this size. Returns the y of its end.
+function drawSection(svg, width, tallest, id) {
+  const {grounds, walls, agree, u: [u0, u1], z: [z0, z1]} = slope;
+  const frame = equalFrame(width, u1 - u0, z1 - z0, tallest);
+  const {side, room, height, scale} = frame;
+  const middleU = (u0 + u1) / 2, middleZ = (z0 + z1) / 2;
+  const toX = d3.scaleLinear().domain([middleU - room / scale / 2, middleU + room / scale / 2]).range([side.left, side.right]);
+  const toY = d3.scaleLinear().domain([middleZ - height / scale / 2, middleZ + height / scale / 2]).range([side.bottom, side.top]);
+  axes(svg, toX, toY, side, {xLabel: travel.label, yLabel: 'z [m]'});
+  svg.append('clipPath').attr('id', id).append('rect').attr('x', side.left).attr('y', side.top).attr('width', room).attr('height', height);
+  const inside = svg.append('g').attr('clip-path', `url(#${id})`);
+  const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
+  const used = new Set();
+  grounds.forEach((ground, k) => {
+    if (!ground.points.length || (agree && k > 0)) return;
+    const first = ground.points[0], last = ground.points[ground.points.length - 1];
+    if (k === 0) inside.append('path').attr('class', 'ground').attr('d', `${line(ground.points)}L${toX(last[0])},${side.bottom}L${toX(first[0])},${side.bottom}Z`);
+    inside.append('path').attr('class', 'ground-line').attr('d', line(ground.points))
+      .style('stroke', grounds.length > 1 && !agree ? ground.run.colour : null);
+    const land = ground.run.project.ground || {};
+    if (!ground.section || (grounds.length > 1 && !agree) || !materialsOf(ground.run).length) return;
+    for (let i = 0; i + 1 < ground.points.length; ++i) {
+      const name = (Array.isArray(land.segments) && land.segments[i]) || land.default;
+      const colour = materialColour(ground.run, name);
+      if (!colour) continue;
+      used.add(name);
+      tip(inside.append('path').attr('class', 'ground-line').attr('d', line([ground.points[i], ground.points[i + 1]]))
+        .style('stroke', colour).style('stroke-width', 4), () => `Segment ${i + 1}: ${name}`);
+    }
   });
+  const horizontal = (row) => travel.along(row.x, row.y);
+  const speed = (row) => row.vx * travel.direction[0] + row.vy * travel.direction[1];
+  drawRocks(inside, (rock) => pathText(rock, toX, toY, horizontal, speed), toX, toY, horizontal, (e) => e.z);
+  for (const wall of walls) {
+    inside.append('line').attr('class', 'barrier').attr('x1', toX(wall.u)).attr('y1', toY(wall.foot)).attr('x2', toX(wall.top[0])).attr('y2', toY(wall.top[1]));
+    inside.append('text').attr('class', 'barrier-name halo').attr('x', toX(wall.top[0]) + 7).attr('y', toY(wall.top[1]) + 2)
+      .text(`${wall.barrier.name}, ${number(wall.barrier.height_m)} m`);
+  }
+  drawScaleBar(inside, side, scale);
+  const end = frame.legend(svg, [
+    ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
+    {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
+    {text: 'release', draw: sign.circle('release', '')},
+    ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
+    ...[...used].map((name) => ({text: name, draw: (g) => g.append('line').attr('class', 'ground-line').attr('x2', 22).style('stroke', materialColour(runs[0], name)).style('stroke-width', 4)})),
+  ]);
+  svg.append('text').attr('class', 'map-note').attr('x', side.left).attr('y', end + 8).text(`${scaleText(frame.denominator)}, both axes`);
+  return end + 16;
+}
+
+function sectionCaption() {
+  const {grounds} = slope;
   const notes = [shownText(), 'Both axes have the same scale; flights are true parabolas. Click a trajectory to select its rock.'];
   if (grounds.some((g) => !g.section)) {
     notes.push(travel.isX ? 'The ground is drawn along the middle of the terrain.' : 'The ground is drawn along a line through the mean release point; rocks off that line may appear above or below the ground.');
   }
   if (!travel.isX) notes.push(`The mean direction of travel is ${travel.bearing} clockwise from the y axis.`);
   if (!grounds.length) notes.push('The summary has no ground to draw.');
-  made.caption.text(notes.join(' '));
+  return notes.join(' ');
+}
+
+function sectionFigure(parent, width = drawing.wide) {
+  if (!slope) return element(parent, 'p', 'The run has neither a section nor trajectories to draw.', {class: 'quiet'});
+  const made = figure(parent, {
+    title: 'Section with trajectories',
+    label: 'Section of the slope with trajectories; both axes have the same scale',
+    caption: sectionCaption(),
+    width,
+    rows: shownRows,
+    draw: (svg) => drawSection(svg, width, 325, 'section-frame'),
+  });
   choice.listeners.push(made.redraw);
 }
