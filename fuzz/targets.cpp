@@ -28,6 +28,8 @@
 #include "talus/project/read.hpp"
 #include "talus/report/report.hpp"
 #include "talus/run/run_results.hpp"
+#include "talus/store/store_file.hpp"
+#include "talus/store/trajectory_store.hpp"
 
 namespace talus::fuzz {
 
@@ -219,6 +221,40 @@ Verdict read_state(std::string_view input, const fs::path&) {
 
 Verdict read_picture(std::string_view input, const fs::path&) {
   return verdict_of([&] { (void)picture_in(input); });
+}
+
+namespace {
+
+Verdict read_store_of(std::string_view input, const fs::path& folder) {
+  std::uint32_t length = 0;
+  if (input.size() < sizeof length) return Verdict::refused;
+  std::memcpy(&length, input.data(), sizeof length);
+  input.remove_prefix(sizeof length);
+  const std::string_view head = input.substr(0, length);
+  ByteWriter out;
+  for (const char c : store_magic) out.put(c);
+  out.put(store_format);
+  out.put(static_cast<std::uint32_t>(checksum_of(head).low));
+  out.text(head);
+  for (const char c : input.substr(head.size())) out.put(c);
+  const fs::path file = written(folder / trajectories_name, out.bytes());
+  return verdict_of([&] {
+    const TrajectoryStore store(file);
+    (void)store.rocks_near({{-10, -10}, {10, 10}});
+    const Vec2 line[] = {{0, 0}, {5, 1000}};
+    (void)store.rocks_near(line, 1);
+    if (!store.rocks().empty()) (void)store.read(store.rocks().size() - 1);
+  });
+}
+
+}  // namespace
+
+Verdict read_store(std::string_view input, const fs::path& folder) {
+  if (take_choice(input) % 2 == 0) return read_store_of(input, folder);
+  return verdict_of([&] {
+    StoredTrajectory trajectory;
+    decode_path(input, Vec3(0, 0, -standard_gravity), trajectory);
+  });
 }
 
 }  // namespace talus::fuzz

@@ -44,19 +44,24 @@ Verdict read_state(std::string_view input, const std::filesystem::path& folder);
 /// A picture for a page.
 Verdict read_picture(std::string_view input, const std::filesystem::path& folder);
 
+/// The first byte selects the head of a store of trajectories, after four bytes for its length and followed by the
+/// paths; or the path of one rock. Checksums are left out: no mutation would match them.
+Verdict read_store(std::string_view input, const std::filesystem::path& folder);
+
 struct Target {
   std::string_view name;  // also that of its corpus folder
   Read read;
 };
 
-inline constexpr std::array<Target, 9> targets{{{"project", &read_project},
-                                                {"factors", &read_factors},
-                                                {"mesh", &read_mesh},
-                                                {"points", &read_points},
-                                                {"grid", &read_grid},
-                                                {"table", &read_table},
-                                                {"results", &read_results},
-                                                {"state", &read_state},
-                                                {"picture", &read_picture}}};
+inline constexpr std::array<Target, 10> targets{{{"project", &read_project},
+                                                 {"factors", &read_factors},
+                                                 {"mesh", &read_mesh},
+                                                 {"points", &read_points},
+                                                 {"grid", &read_grid},
+                                                 {"table", &read_table},
+                                                 {"results", &read_results},
+                                                 {"state", &read_state},
+                                                 {"picture", &read_picture},
+                                                 {"store", &read_store}}};
 
 }  // namespace talus::fuzz

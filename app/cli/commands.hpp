@@ -76,6 +76,13 @@ struct ReportOptions {
 };
 int report(const ReportOptions& options);
 
+struct ExportOptions {
+  std::filesystem::path folder;  // of a run
+  std::string paths;             // "all" or a number of rocks
+  std::filesystem::path file;    // empty: standard output
+};
+int export_paths(const ExportOptions& options);
+
 struct SensitivityOptions {
   std::filesystem::path study;
   std::filesystem::path folder;  // empty: named after the study, next to its file

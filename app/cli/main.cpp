@@ -185,6 +185,21 @@ int dispatch(int argc, char** argv) {
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
+  ExportOptions export_options;
+  CLI::App* export_command =
+      app.add_subcommand("export", "Make the table paths.csv from the trajectories that a run has stored");
+  export_command->add_option("folder", export_options.folder, "Folder of the run")
+      ->required()
+      ->check(names_folder)
+      ->type_name("DIR");
+  export_command
+      ->add_option("--paths", export_options.paths, "The rocks: all in the store, or a number of them, evenly spread")
+      ->default_val("all")
+      ->type_name("all|N");
+  export_command->add_option("-o,--output", export_options.file, "Table to write (default: standard output)")
+      ->check(names_file)
+      ->type_name("FILE");
+
   SensitivityOptions sensitivity_options;
   CLI::App* sensitivity_command =
       app.add_subcommand("sensitivity", "Find which inputs of a project its results depend on");
@@ -276,6 +291,7 @@ int dispatch(int argc, char** argv) {
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);
   if (*report_command) return report(report_options);
+  if (*export_command) return export_paths(export_options);
   if (*sensitivity_command) return sensitivity(sensitivity_options);
   if (*verify_command) return verify(verify_options);
   if (*validate_command) return validate(validate_options);

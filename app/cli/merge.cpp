@@ -20,6 +20,7 @@ int merge(const MergeOptions& options) {
     std::vector<std::string> barriers;
     for (const auto& barrier : result.description.model.at("barriers")) barriers.push_back(barrier.at("name"));
     print_summary(result.summary, barriers);
+    print_stored(result.trajectories);
     for (const RockRange& rocks : result.missing) {
       fmt::print("  missing: rocks {} to {}\n", rocks.first, rocks.last - 1);
     }

@@ -47,6 +47,7 @@ void print_outcome(const Loaded& loaded, const RunOptions& options, const projec
   std::vector<std::string> barriers;
   for (const Barrier& barrier : loaded.model.barriers) barriers.push_back(barrier.name);
   print_summary(summary, barriers);
+  print_stored(result.trajectories);
   if (!options.shard.empty()) {
     fmt::print("The shard is in {}; combine all shards with `talus merge`\n", folder.string());
   } else {

@@ -98,6 +98,7 @@ void serve(const ServeOptions& options) {
   add_result_routes(router, runs, run_models);
   add_model_tile_routes(router, shelf);
   add_model_query_routes(router, shelf);
+  add_line_file_routes(router, workplace, shelf, reading);
   add_shape_routes(router);
   add_verification_routes(router);
   add_page_routes(router, server, session, address);  // last: it matches every remaining path

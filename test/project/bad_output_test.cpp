@@ -23,6 +23,20 @@ paths = "some"
 
 [terrain])"}},
      "slope.toml:7: [output]: paths is \"some\" (expected \"all\", \"none\" or a number of rocks)"},
+    {"StoreWithoutSize",
+     {{"[terrain]",
+       R"([output]
+trajectories_MB = "some"
+
+[terrain])"}},
+     "slope.toml:7: [output]: trajectories_MB is \"some\" (expected \"all\", \"none\" or a number of MB)"},
+    {"StoreTooLarge",
+     {{"[terrain]",
+       R"([output]
+trajectories_MB = 2000000
+
+[terrain])"}},
+     "slope.toml:7: [output]: trajectories_MB is 2000000 (expected 0 to 1e+06)"},
     {"PathsNegative",
      {{"[terrain]",
        R"([output]

@@ -216,6 +216,13 @@ TEST_F(ModelGeometry, HasSectionsAlongALine) {
     } else {
       EXPECT_NEAR(section["z_m"][k].get<double>(), x <= 1010 ? 20 - (x - 1000) : 10 - (x - 1010) / 4, 1e-4);
     }
+    const bool is_last = k + 1 == distance.size();
+    if (section["z_m"][k].is_null() || is_last) {
+      EXPECT_EQ(section["materials"][k], nullptr);
+    } else if (distance[k + 1] > distance[k]) {
+      const double middle = (x + section["x_m"][k + 1].get<double>()) / 2;
+      EXPECT_EQ(section["materials"][k], middle < 1010 ? 0 : 1) << "rock down to x = 1010, then soil";
+    }
     has_break = has_break || std::abs(x - 1010) < 1e-9;
   }
   EXPECT_TRUE(has_break);

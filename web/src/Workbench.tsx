@@ -2,7 +2,9 @@
 
 import { useEffect } from 'preact/hooks';
 import { isStale } from './state/model';
-import { sidePanel } from './state/view';
+import { isAsking, sidePanel } from './state/view';
+import { AskCard } from './askLine/AskCard';
+import { takeLineFiles } from './askLine/lineFiles';
 import { ModelPanel } from './model/ModelPanel';
 import { dimension } from './model/place';
 import { listenToDrops, takeFiles } from './model/terrainFile';
@@ -20,7 +22,10 @@ import { SavingDialogs } from './ui/SavingDialogs';
 
 export function Workbench() {
   useEffect(
-    () => listenToDrops((list) => (sidePanel.peek() === 'calibrate' ? takeObserved(list, 'stops') : takeFiles(list))),
+    () =>
+      listenToDrops((list) =>
+        isAsking.peek() ? takeLineFiles(list) : sidePanel.peek() === 'calibrate' ? takeObserved(list, 'stops') : takeFiles(list),
+      ),
     [],
   );
   return (
@@ -56,6 +61,7 @@ export function Workbench() {
         </div>
         <TimeBar />
         <ResultsPanel />
+        {isAsking.value && <AskCard />}
       </main>
       <SavingDialogs />
     </div>

@@ -34,26 +34,41 @@ Json elevations_json(const Model& model, const std::vector<Vec2>& points) {
   return {{"z", std::move(list)}};
 }
 
-Json section_json(const Model& model, const std::vector<Vec2>& line) {
-  std::vector<SectionPoint> section;
-  if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) {
-    section = section_along(*mesh, line, most_of_section);
-  } else if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) {
-    section = section_along(*raster, line, most_of_section);
-  } else {
-    throw Refusal(404, "section", "this model is itself a section", "", "Request its profile");
-  }
-  Json distances = Json::array(), heights = Json::array(), xs = Json::array(), ys = Json::array();
-  for (const SectionPoint& point : section) {
+/// The material of the ground half way between two points of a section; null where there is no ground, at a step, and
+/// after the last point.
+template <class Surface>
+Json material_after(const Model& model, const Surface& surface, const std::vector<SectionPoint>& section,
+                    std::size_t k) {
+  if (!section[k].z || k + 1 == section.size() || section[k + 1].distance == section[k].distance) return {};
+  const Vec2 middle = 0.5 * (section[k].place + section[k + 1].place);
+  const auto ground = surface.ground_below({middle.x(), middle.y(), surface.bounds().high.z() + 1});
+  return ground ? Json(model.ground.material_of(surface.source(ground->facet)).index) : Json();
+}
+
+template <class Surface>
+Json section_json(const Model& model, const Surface& surface, const std::vector<Vec2>& line) {
+  const std::vector<SectionPoint> section = section_along(surface, line, most_of_section);
+  Json distances = Json::array(), heights = Json::array(), xs = Json::array(), ys = Json::array(),
+       materials = Json::array();
+  for (std::size_t k = 0; k < section.size(); ++k) {
+    const SectionPoint& point = section[k];
     distances.push_back(point.distance);
     heights.push_back(point.z ? Json(*point.z + model.frame.origin.z()) : Json());
     xs.push_back(point.place.x() + model.frame.origin.x());
     ys.push_back(point.place.y() + model.frame.origin.y());
+    materials.push_back(material_after(model, surface, section, k));
   }
   return {{"distance_m", std::move(distances)},
           {"z_m", std::move(heights)},
           {"x_m", std::move(xs)},
-          {"y_m", std::move(ys)}};
+          {"y_m", std::move(ys)},
+          {"materials", std::move(materials)}};
+}
+
+Json section_json(const Model& model, const std::vector<Vec2>& line) {
+  if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) return section_json(model, *mesh, line);
+  if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) return section_json(model, *raster, line);
+  throw Refusal(404, "section", "this model is itself a section", "", "Request its profile");
 }
 
 }  // namespace

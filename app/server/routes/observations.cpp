@@ -3,6 +3,7 @@
 
 #include "model_shelf.hpp"
 #include "results/run_summary.hpp"
+#include "routes/answer_read.hpp"
 #include "routes/results.hpp"
 #include "routes/routes.hpp"
 #include "talus/archive/model_json.hpp"
@@ -24,15 +25,6 @@ Json observed_places(const ObservedStops& observed, const Model& model) {
                       stop.mass_kg ? Json(*stop.mass_kg) : Json()});
   }
   return places;
-}
-
-/// Reads in a thread of its own, since the files may be on a drive that does not respond.
-Answer answer_read(ModelReading& reading, const Workplace& workplace, const std::function<Json()>& read) {
-  try {
-    return json_answer(*reading.read<Json>("", read));
-  } catch (const BadInput& bad) {
-    throw BadInput(seen_from(workplace.folder(), bad.problems()));
-  }
 }
 
 }  // namespace

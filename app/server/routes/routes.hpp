@@ -31,6 +31,8 @@ void add_observation_routes(Router& router, const Workplace& workplace, const Mo
 void add_result_routes(Router& router, RunStore& runs, RunModels& models);
 void add_model_tile_routes(Router& router, const ModelShelf& shelf);
 void add_model_query_routes(Router& router, const ModelShelf& shelf);
+/// Lines and areas from vector files, in the coordinates of a model.
+void add_line_file_routes(Router& router, const Workplace& workplace, const ModelShelf& shelf, ModelReading& reading);
 /// Geometry and distributions without a model.
 void add_shape_routes(Router& router);
 void add_verification_routes(Router& router);

@@ -47,6 +47,7 @@ Json head_of(const RunDescription& description) {
   json["wants_envelopes"] = description.wants_envelopes;
   json["wants_geopackage"] = description.wants_geopackage;
   json["wants_report"] = description.wants_report;
+  if (description.store_bytes) json["store_bytes"] = *description.store_bytes;
   json["warnings"] = description.warnings;
   if (const auto& maps = description.maps) {
     json["maps"] = {{"origin", {maps->origin.x(), maps->origin.y()}},
@@ -104,6 +105,7 @@ RunDescription read(const Json& json) {
   description.wants_envelopes = json.value("wants_envelopes", false);
   json.at("wants_geopackage").get_to(description.wants_geopackage);
   json.at("wants_report").get_to(description.wants_report);
+  if (json.contains("store_bytes")) description.store_bytes = json.at("store_bytes").get<std::uint64_t>();
   json.at("warnings").get_to(description.warnings);
   description.project = json.at("project");
   description.model = json.at("model");

@@ -43,6 +43,7 @@ struct RunDescription {
   bool wants_geopackage = false;      // on 3D terrain only
   bool wants_report = true;
   ReportInputs inputs;  // of the first process only
+  std::optional<std::uint64_t> store_bytes;  // of the store of trajectories, about; nullopt: no store
 };
 
 /// The origin of the model's local frame in user coordinates [m].

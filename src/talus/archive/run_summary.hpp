@@ -216,6 +216,18 @@ struct RunIdentity {
   SharedJson project{};  // complete, with defaults
 };
 
+/// The rocks in the store of trajectories.
+struct StoredRocks {
+  std::uint64_t rocks = 0;
+  double share = 1;                   // of the rocks done
+  std::uint64_t rows = 0, bytes = 0;  // rows of paths.csv, and size of the file
+  static auto fields() {
+    using S = StoredRocks;
+    return std::tuple(field("rocks", &S::rocks), field("share", &S::share), field("rows", &S::rows),
+                      field("bytes", &S::bytes));
+  }
+};
+
 struct RunSummary : RunIdentity {
   struct Timings {
     double seconds = 0, rocks_per_second = 0;
@@ -233,8 +245,9 @@ struct RunSummary : RunIdentity {
   std::uint64_t events = 0;
   Named<Statistics> statistics{};
   Histograms histograms{};
-  std::vector<BarrierSummary> barriers{};  // and collectors
-  SharedJson design{};                     // design_json.hpp; null without a design
+  std::optional<StoredRocks> trajectories{};  // nullopt: none are stored
+  std::vector<BarrierSummary> barriers{};     // and collectors
+  SharedJson design{};                        // design_json.hpp; null without a design
   std::vector<SourceRocks> sources{};
   std::vector<std::string> warnings{}, notes{};
   double energy_datum_m = 0;         // z in user coordinates at which potential energy is zero
@@ -250,10 +263,11 @@ struct RunSummary : RunIdentity {
         field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
         field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
         field("end_reasons", &S::end_reasons), field("events", &S::events), field("statistics", &S::statistics),
-        field("histograms", &S::histograms), field("barriers", &S::barriers), field_if_any("design", &S::design),
-        field("sources", &S::sources), field("warnings", &S::warnings), field("notes", &S::notes),
-        field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m), field("terrain", &S::terrain),
-        field("project", &S::project), field_if_any("inputs", &S::inputs), field("timings", &S::timings));
+        field("histograms", &S::histograms), field_if_any("trajectories", &S::trajectories),
+        field("barriers", &S::barriers), field_if_any("design", &S::design), field("sources", &S::sources),
+        field("warnings", &S::warnings), field("notes", &S::notes), field("energy_datum_m", &S::energy_datum_m),
+        field("origin_m", &S::origin_m), field("terrain", &S::terrain), field("project", &S::project),
+        field_if_any("inputs", &S::inputs), field("timings", &S::timings));
   }
 };
 

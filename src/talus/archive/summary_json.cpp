@@ -118,6 +118,7 @@ RunSummary run_summary(const RunDescription& description, const Summary& sums, c
                         {"max_ke_J", statistics_of(sums.max_kinetic_energy)},
                         {"max_bounce_m", statistics_of(sums.max_bounce)}};
   summary.histograms = {{"end_x_m", histogram_of(sums.end_x)}, {"runout_xy_m", histogram_of(sums.runout_plan)}};
+  summary.trajectories = course.trajectories;
   summary.sources = part_of<std::vector<SourceRocks>>(model.at("sources"), "sources");
   summary.notes = notes_of(sums);
   summary.energy_datum_m = part_of<double>(model.at("energy_datum_m"), "energy_datum_m");

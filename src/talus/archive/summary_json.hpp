@@ -22,6 +22,7 @@ struct RunCourse {
   std::vector<RockRange> missing;  // of merged runs: rocks that are in none of them
   double seconds = 0;              // computing time, summed over merged runs
   int threads = 1;                 // maximum over merged runs
+  std::optional<StoredRocks> trajectories{};
 };
 
 /// Everything except `timings` depends only on the project, the seed and the rocks done. `warnings` are all warnings of

@@ -98,7 +98,7 @@ struct Writer {
     const auto& [x, y, z] = **slot.direction;
     return two_dimensional ? Json{x, z} : Json{x, y, z};
   }
-  Written operator()(RockLimitSlot slot) const {
+  Written operator()(LimitSlot slot) const {
     const auto& limit = *slot.limit;
     return !limit ? Json("all") : *limit == 0 ? Json("none") : Json(*limit);
   }

@@ -196,6 +196,7 @@ struct Output {
   std::optional<std::int64_t> endpoint_limit;
   std::optional<std::int64_t> path_limit = 2000;
   std::optional<std::int64_t> impact_limit = 0;  // key `impacts`
+  std::optional<std::int64_t> trajectories_MB = 256;
   // On plan, in the project's coordinates; 2D: (x, 0). At most one of them is given.
   std::optional<std::array<double, 2>> runout_from;
   std::vector<std::array<double, 2>> runout_along;

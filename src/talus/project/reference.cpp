@@ -55,7 +55,7 @@ struct Named {
   std::string operator()(PlanLineSlot) const { return "number or list of pairs"; }
   std::string operator()(PlanPointSlot) const { return "one or two numbers"; }
   std::string operator()(DirectionSlot) const { return "two or three numbers, or `\"downslope\"`"; }
-  std::string operator()(RockLimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
+  std::string operator()(LimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
   std::string operator()(FilesSlot) const { return "path of a file, or list of paths"; }
   std::string operator()(MapCellSlot) const { return "number or `\"terrain\"`"; }
 };

@@ -103,7 +103,7 @@ struct Typed {
   Json operator()(DirectionSlot) const {
     return {{"anyOf", Json::array({tuple_of(number(), 2, 3), Json{{"const", "downslope"}}})}};
   }
-  Json operator()(RockLimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
+  Json operator()(LimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
   Json operator()(FilesSlot) const {
     Json file = (*this)(static_cast<const std::filesystem::path*>(nullptr));
     return {{"anyOf", Json::array({file, list_of(file, 1)})}};

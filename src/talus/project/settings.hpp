@@ -68,8 +68,8 @@ struct LibrarySlot {
 struct DirectionSlot {
   std::optional<std::array<double, 3>>* direction;  // [x, z] or [x, y, z], or "downslope" (nullopt)
 };
-struct RockLimitSlot {
-  std::optional<std::int64_t>* limit;  // "all" (nullopt), "none" (0) or a number of rocks
+struct LimitSlot {
+  std::optional<std::int64_t>* limit;  // "all" (nullopt), "none" (0) or a number
 };
 struct MapCellSlot {
   std::optional<double>* size;  // "terrain" (nullopt) or a number of metres
@@ -89,7 +89,7 @@ struct SlotWith<const std::tuple<Listed...>> {
       std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
       std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
       std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*..., PositionSlot, PointsSlot,
-      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, RockLimitSlot, MapCellSlot, FilesSlot>;
+      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, LimitSlot, MapCellSlot, FilesSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.

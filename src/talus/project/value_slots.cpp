@@ -21,7 +21,7 @@ bool ValueReader::into(const Value& value, MapCellSlot slot) {
   return true;
 }
 
-bool ValueReader::into(const Value& value, RockLimitSlot slot) {
+bool ValueReader::into(const Value& value, LimitSlot slot) {
   if (const auto* text = value.node.as_string()) {
     if (text->get() == "all") {
       slot.limit->reset();
@@ -33,7 +33,10 @@ bool ValueReader::into(const Value& value, RockLimitSlot slot) {
     }
   }
   std::int64_t number = 0;
-  if (!value.node.is_integer()) return refuse_kind(value, "\"all\", \"none\" or a number of rocks");
+  if (!value.node.is_integer()) {
+    const std::string_view unit = value.setting.unit.empty() ? "rocks" : value.setting.unit;
+    return refuse_kind(value, fmt::format("\"all\", \"none\" or a number of {}", unit));
+  }
   if (!into(value, &number)) return false;
   *slot.limit = number;
   return true;

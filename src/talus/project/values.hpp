@@ -81,7 +81,7 @@ class ValueReader {
   bool into(const Value&, PlanPolygonSlot);
   bool into(const Value&, LibrarySlot);
   bool into(const Value&, DirectionSlot);
-  bool into(const Value&, RockLimitSlot);
+  bool into(const Value&, LimitSlot);
   bool into(const Value&, MapCellSlot);
   bool into(const Value&, FilesSlot);
   template <class Item>

@@ -263,8 +263,8 @@ MergeResult merge_runs(const MergeOptions& options) {
   const FolderLock lock = lock_output_folder(output);
   remove_finished_summary(output);
   join_tables(parts, output);
-  Problems warnings = write_results(output, description, sums, course);
-  return {output, description, sums.summary(), std::move(warnings), missing, parts.size()};
+  auto [warnings, trajectories] = write_results(output, description, sums, course);
+  return {output, description, sums.summary(), std::move(warnings), missing, parts.size(), trajectories};
 }
 
 }  // namespace talus::project

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "talus/archive/run_description.hpp"
+#include "talus/archive/run_summary.hpp"
 #include "talus/campaign/shard.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/results/summary.hpp"
@@ -29,6 +30,7 @@ struct MergeResult {
   Problems warnings;
   std::vector<RockRange> missing;  // rocks that no part has
   std::size_t parts = 0;
+  std::optional<StoredRocks> trajectories{};
 };
 
 /// Every file has the same bytes as in one run of all rocks (except `timings`), whatever the parts and their order.

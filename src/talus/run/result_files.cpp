@@ -21,6 +21,7 @@
 #include "talus/files/output_file.hpp"
 #include "talus/maps/map_files.hpp"
 #include "talus/maps/source_maps.hpp"
+#include "talus/store/trajectory_store.hpp"
 
 namespace talus::project {
 
@@ -63,8 +64,8 @@ bool is_name_of_result(const std::filesystem::path& name) {
   if (plain.ends_with(".part")) plain.erase(plain.size() - std::string_view(".part").size());
   constexpr auto names = std::to_array<std::string_view>(
       {DesignRow::file_name, RankingRow::file_name, PairRow::file_name, EnvelopeRow::file_name,
-       UncertaintyRow::file_name, geopackage_name, vtk_paths_name, run_state_name, file_record_name, "summary.json",
-       "report.html"});
+       UncertaintyRow::file_name, geopackage_name, vtk_paths_name, trajectories_name, run_state_name, file_record_name,
+       "summary.json", "report.html"});
   return std::ranges::find(names, plain) != names.end() ||
          std::ranges::find(result_tables(), plain, &ResultTable::file_name) != result_tables().end();
 }
@@ -82,6 +83,7 @@ std::vector<std::string> result_files(const RunDescription& description, const s
     if (description.design && !description.design->pairs.empty()) names.emplace_back(PairRow::file_name);
     if (ensembles_of(description.project) > 0) names.emplace_back(UncertaintyRow::file_name);
     if (description.wants_geopackage && can_write_geopackage()) names.emplace_back(geopackage_name);
+    if (description.store_bytes) names.emplace_back(trajectories_name);
     if (wants_vtk(description)) names.emplace_back(vtk_paths_name);
     if (description.wants_report) names.emplace_back("report.html");
   }

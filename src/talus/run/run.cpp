@@ -177,12 +177,15 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     course.threads = outcome.threads;
     remove_finished_summary(folder);
     tables.finish();
-    RunResult result{outcome, sums.summary(), {}, begun.range, begun.rocks().count()};
+    RunResult result{
+        .outcome = outcome, .summary = sums.summary(), .range = begun.range, .done_before = begun.rocks().count()};
     const bool was_asked = is_requested(options.campaign.stop);
     const TimeLimit limit{std::chrono::duration<double>(options.closing_seconds)};
     try {
       const StopScope closing(was_asked ? nullptr : options.campaign.stop, was_asked ? &limit : nullptr);
-      result.warnings = write_results(folder, description, sums, course);
+      auto [found, trajectories] = write_results(folder, description, sums, course);
+      result.warnings = std::move(found);
+      result.trajectories = trajectories;
     } catch (const std::bad_alloc&) {
       if (options.checkpoint_every > 0 || options.shard) checkpoints.write(outcome.done);
       throw;

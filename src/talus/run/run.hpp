@@ -38,6 +38,7 @@ struct RunResult {
   CampaignOutcome outcome;
   Summary summary;
   Problems warnings;              // found by the run
+  std::optional<StoredRocks> trajectories{};
   RockRange range;                // of the run
   std::uint64_t done_before = 0;  // rocks of the earlier run that was resumed
   bool was_complete = false;      // all rocks were done already; the summary is empty

@@ -27,6 +27,7 @@
 #include "talus/run/result_files.hpp"
 #include "talus/run/run_size.hpp"
 #include "talus/run/run_warnings.hpp"
+#include "talus/store/trajectory_store.hpp"
 
 namespace talus::project {
 
@@ -93,6 +94,14 @@ void write_all_maps(const std::filesystem::path& folder, const RunDescription& d
   }
 }
 
+std::optional<StoredRocks> write_store(const std::filesystem::path& folder, RunSums& sums) {
+  if (sums.store() == nullptr) return std::nullopt;
+  const std::uint64_t done = sums.summary().done;
+  const auto [rocks, rows, bytes] = sums.store()->write(folder / trajectories_name, done);
+  const double share = done > 0 ? static_cast<double>(rocks) / static_cast<double>(done) : 1;
+  return StoredRocks{rocks, share, rows, bytes};
+}
+
 /// How many ensembles have maps of their own.
 std::size_t ensembles_with_maps(const MapSelection& selection, const Model& model) {
   return selection.bands.any() ? model.ensembles.size() : 0;
@@ -149,6 +158,10 @@ RunDescription describe(const Project& project, const Model& model, const Proble
   if (project.design) description.design = design_plan(project, model);
   description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
   description.wants_report = project.output.report;
+  if (const auto& megabytes = project.output.trajectories_MB; megabytes != 0) {
+    constexpr std::uint64_t megabyte = 1'000'000;
+    description.store_bytes = megabytes ? static_cast<std::uint64_t>(*megabytes) * megabyte : StoreObserver::no_limit;
+  }
   return description;
 }
 
@@ -169,11 +182,13 @@ RunSums::RunSums(const RunDescription& description, const Project& project, cons
     : summary_(description.rocks, description.barriers, model.frame, model.runout_frame) {
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (description.maps) maps_ = map_observer(project, model);
+  if (description.store_bytes) store_ = std::make_unique<StoreObserver>(*description.store_bytes, model);
 }
 
 RunSums::RunSums(const RunDescription& description)
     : summary_(description.rocks, description.barriers, {origin_of(description)}) {
   if (description.design) design_.emplace(*description.design, description.rocks);
+  if (description.store_bytes) store_ = std::make_unique<StoreObserver>(*description.store_bytes);
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
   const MapSelection& selection = description.maps->selection;
@@ -196,6 +211,7 @@ std::vector<SummingObserver*> RunSums::observers() {
   std::vector<SummingObserver*> list{&summary_};
   if (design_) list.push_back(&*design_);
   if (maps_) list.push_back(maps_.get());
+  if (store_) list.push_back(store_.get());
   return list;
 }
 
@@ -219,10 +235,11 @@ void write_derived(const std::filesystem::path& folder, const RunDescription& de
 
 }  // namespace
 
-Problems write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
-                       const RunCourse& course) {
+WrittenResults write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
+                             RunCourse course) {
   Problems found;
   if (!course.shard) {
+    course.trajectories = write_store(folder, sums);
     warn_of_unwritten_files(description, found);
     write_all_maps(folder / "maps", description, sums.maps(), course.threads);
     write_section_envelopes(folder, description, sums.maps());
@@ -247,7 +264,7 @@ Problems write_results(const std::filesystem::path& folder, const RunDescription
   remove_recorded_files_but(folder, written);
   write_file_record(folder, written);
   summary.commit();
-  return found;
+  return {std::move(found), course.trajectories};
 }
 
 }  // namespace talus::project

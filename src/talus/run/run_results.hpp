@@ -17,6 +17,7 @@
 #include "talus/results/design_tally.hpp"
 #include "talus/results/map_observer.hpp"
 #include "talus/results/summary.hpp"
+#include "talus/store/store_observer.hpp"
 
 namespace talus::project {
 
@@ -53,19 +54,27 @@ class RunSums {
   void limit_maps_memory(std::uint64_t bytes);
   /// A message if maps exceed the limit; to be called between blocks, when the sums are consistent.
   [[nodiscard]] std::optional<std::string> lacking_memory() const;
+  [[nodiscard]] StoreObserver* store() { return store_.get(); }  // null: none
   [[nodiscard]] const DesignObserver* design() const { return design_ ? &*design_ : nullptr; }
 
  private:
   SummaryObserver summary_;
   std::optional<DesignObserver> design_;
   std::unique_ptr<MapObserver> maps_;
+  std::unique_ptr<StoreObserver> store_;
 };
 
-/// Writes maps, the design of barriers, the files derived from the tables (which must be complete) and the report, as
-/// the description plans them, and last summary.json: if it exists, all files do. Removes recorded files of an earlier
-/// run that this one does not write. Of a shard, only summary.json. Returns the warnings about the rocks. Throws
-/// BadInput if a file cannot be written.
-Problems write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
-                       const RunCourse& course);
+/// What writing the results of a run came to.
+struct WrittenResults {
+  Problems warnings;                          // about the rocks
+  std::optional<StoredRocks> trajectories{};  // in the store, if there is one
+};
+
+/// Writes maps, the store of trajectories, the design of barriers, the files derived from the tables (which must be
+/// complete) and the report, as the description plans them, and last summary.json: if it exists, all files do. Removes
+/// recorded files of an earlier run that this one does not write. Of a shard, only summary.json. Throws BadInput if a
+/// file cannot be written.
+WrittenResults write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
+                             RunCourse course);
 
 }  // namespace talus::project

@@ -110,6 +110,8 @@ function queryOf(filter: RockFilter | null): string {
   const query = new URLSearchParams();
   const lists = { reason: filter?.reasons, seeder: filter?.seeders, source: filter?.sources, barrier: filter?.barriers };
   for (const [key, names] of Object.entries(lists)) for (const name of names ?? []) query.append(key, name);
+  for (const number of filter?.releases ?? []) query.append('release', String(number));
+  if (filter && filter.crossing !== null) query.set('crossing', filter.crossing);
   if (filter && filter.minEnergy_kJ !== null) query.set('min_energy_kJ', String(filter.minEnergy_kJ));
   if (filter && filter.maxEnergy_kJ !== null) query.set('max_energy_kJ', String(filter.maxEnergy_kJ));
   const text = query.toString();

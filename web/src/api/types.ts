@@ -142,6 +142,8 @@ export interface GroundSection {
   z_m: (number | null)[];
   x_m: number[];
   y_m: number[];
+  /// The index of the ground's material from each point to the next; null: no ground, or a step.
+  materials: (number | null)[];
 }
 
 export interface Tiles {

@@ -4,14 +4,11 @@ import { api } from '../api/client';
 import type { CalibrationSummary } from '../api/calibration';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import { readFolder } from '../model/files';
 import type { Edit } from '../model/names';
 import { textOf } from '../runs/runText';
+import { freshStem, openDerived } from '../start/derivedProject';
 import { file } from '../state/document';
 import { notify } from '../state/messages';
-import { close, start } from '../state/opening';
-import { save } from '../state/saving';
-import { allWritten } from '../state/writes';
 import { edited } from '../toml/edit';
 import { editOf } from './bestFit';
 import { form, setForm } from './observations';
@@ -19,24 +16,10 @@ import { form, setForm } from './observations';
 export const ensembles = 50;
 const rocksEach = 200;
 
-/// A name beside the project that no file has: "slope-posterior", without ending.
-async function freshStem(project: string, word: string): Promise<string> {
-  const taken = new Set((await readFolder()).files.map(({ name }) => name));
-  const stem = project.replace(/\.toml$/, '');
-  for (let k = 1; ; ++k) {
-    const name = `${stem}-${word}${k === 1 ? '' : `-${k}`}`;
-    if (!taken.has(`${name}.toml`) && !taken.has(`${name}.csv`)) return name;
-  }
-}
-
 /// Opens a new project and saves it, with the observations of the current one.
 async function openNew(name: string, text: string) {
   const observed = form.value;
-  close();
-  await allWritten();
-  start(name, text);
-  setForm({ ...observed, name: name.split('/').at(-1)!.replace(/\.toml$/, '') });
-  await save();
+  await openDerived(name, text, () => setForm({ ...observed, name: name.split('/').at(-1)!.replace(/\.toml$/, '') }));
 }
 
 /// A project whose rocks draw their parameters from the posterior, which is copied beside it.

@@ -2,7 +2,7 @@
 // markup, because it contains the user's names.
 
 import { extent, max } from 'd3-array';
-import { axisBottom, axisLeft } from 'd3-axis';
+import { axisBottom, axisLeft, axisRight } from 'd3-axis';
 import { scaleLinear, type ScaleLinear } from 'd3-scale';
 import { select, type Selection } from 'd3-selection';
 import { measured, tickText } from './format';
@@ -186,6 +186,8 @@ export interface Plot {
   side: Side;
   x: Scale;
   y: Scale;
+  /// Of the axis on the right, if there is one.
+  second: Scale | null;
 }
 
 interface PlotOptions extends Omit<Labels, 'xTicks' | 'yTicks'> {
@@ -196,14 +198,32 @@ interface PlotOptions extends Omit<Labels, 'xTicks' | 'yTicks'> {
   names?: number;
   /// Ranges for a plot area of this size, instead of `x` and `y`.
   fit?: (width: number, height: number) => [Range, Range];
+  /// An axis on the right for another quantity.
+  second?: { range: Range; label: string } | undefined;
+}
+
+/// Draws the axis on the right.
+function secondAxis(svg: Group, scale: Scale, { right, top, bottom }: Side, label: string) {
+  const count = ticksOver(bottom - top);
+  const beside = svg.append('g').attr('class', 'axis').attr('transform', `translate(${right},0)`);
+  beside.call(
+    axisRight(scale)
+      .ticks(count)
+      .tickSizeOuter(0)
+      .tickFormat((v) => textOfTicks(scale, count)(Number(v))),
+  );
+  const upright: Group = svg.append('text').attr('class', 'axis-label').attr('text-anchor', 'middle').text(label);
+  const half = ((upright.node() as SVGTextElement).getComputedTextLength() || label.length * letterWidth) / 2;
+  const middle = Math.max((top + bottom) / 2, half + 3);
+  upright.attr('transform', `translate(${right + widest(scale, count) + 24},${middle}) rotate(-90)`);
 }
 
 /// Lays out and draws axes and legend. Returns the plot area and its scales.
 export function openPlot(svg: Group, { width, height }: Room, options: PlotOptions): Plot {
-  const { xLabel, yLabel, entries = [], names, fit } = options;
-  const right = width - 14;
+  const { xLabel, yLabel, entries = [], names, fit, second } = options;
+  const rightmost = width - 14;
   const signs: Group = svg.append('g');
-  const lines = entries.length > 0 ? legend(signs, entries, 14, 0, right) : 0;
+  const lines = entries.length > 0 ? legend(signs, entries, 14, 0, rightmost) : 0;
   const bottom = Math.max(60, height - (entries.length > 0 ? 66 + lines : 42));
   signs.attr('transform', `translate(0,${bottom + 54})`);
   const top = 12;
@@ -212,12 +232,15 @@ export function openPlot(svg: Group, { width, height }: Room, options: PlotOptio
     return names ?? Math.max(50, widest(scale, ticksOver(bottom - top)) + 36);
   };
   const left = leftOf(options.y);
+  const other = second ? scaleLinear().domain(second.range).range([bottom, top]) : null;
+  const right = other ? rightmost - Math.max(30, widest(other, ticksOver(bottom - top)) + 20) : rightmost;
   const [xRange, yRange] = fit?.(right - left, bottom - top) ?? [options.x, options.y];
   const side = { left, right, top, bottom };
   const x = scaleLinear().domain(xRange).range([left, right]);
   const y = scaleLinear().domain(yRange).range([bottom, top]);
   axes(svg, x, names === undefined ? y : null, side, { xLabel, yLabel });
-  return { side, x, y };
+  if (second && other) secondAxis(svg, other, side, second.label);
+  return { side, x, y, second: other };
 }
 
 /// The index of the value nearest to `value` among ascending ones.

@@ -37,6 +37,7 @@ export interface DrawnPaths {
   sources: Uint16Array;
   seeders: Uint16Array;
   reasons: Uint8Array;
+  releases?: Uint32Array; // the numbers of their release places; unknown without stored trajectories
   masses: Float32Array; // kg
   radii: Float32Array; // of the equivalent spheres, m
   maxEnergies: Float32Array; // kJ

@@ -3,7 +3,7 @@
 import type { RockFilter } from '../state/filter';
 import type { DrawnPaths } from './drawnPaths';
 
-type Rocks = Pick<DrawnPaths, 'reasons' | 'seeders' | 'sources' | 'barriers' | 'maxEnergies'> & {
+type Rocks = Pick<DrawnPaths, 'rocks' | 'reasons' | 'seeders' | 'sources' | 'releases' | 'barriers' | 'maxEnergies'> & {
   header: Pick<DrawnPaths['header'], 'reasons' | 'seeders' | 'sources' | 'barriers'>;
 };
 
@@ -17,9 +17,11 @@ function bitsOf(names: readonly string[], chosen: readonly string[]): Uint32Arra
   return words;
 }
 
-/// For each rock 1 if it passes the filter, otherwise 0.
-export function passing(rocks: Rocks, now: RockFilter): Uint8Array {
-  const { header, reasons, seeders, sources, barriers, maxEnergies } = rocks;
+/// For each rock 1 if it passes the filter, otherwise 0. `crossing`: the rocks of the filter's selection, null: unknown,
+/// then all pass this condition.
+export function passing(rocks: Rocks, now: RockFilter, crossing: ReadonlySet<number> | null = null): Uint8Array {
+  const { header, reasons, seeders, sources, releases, barriers, maxEnergies } = rocks;
+  const starts = now.releases && new Set(now.releases);
   const allowed = (names: string[], chosen: string[] | null) => names.map((name) => !chosen || chosen.includes(name));
   const [reason, seeder, source] = [
     allowed(header.reasons, now.reasons),
@@ -35,6 +37,8 @@ export function passing(rocks: Rocks, now: RockFilter): Uint8Array {
       reason[reasons[k]!] &&
         seeder[seeders[k]!] &&
         source[sources[k]!] &&
+        (!starts || !releases || starts.has(releases[k]!)) &&
+        (now.crossing === null || !crossing || crossing.has(rocks.rocks[k]!)) &&
         (now.barriers === null || isHit(k)) &&
         (now.minEnergy_kJ === null || energy >= now.minEnergy_kJ) &&
         (now.maxEnergy_kJ === null || energy <= now.maxEnergy_kJ),

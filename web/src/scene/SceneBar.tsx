@@ -2,6 +2,7 @@
 
 import { AnimationButton } from '../animation/AnimationButton';
 import { contours, exaggeration, shading, type Shading } from '../view/settings';
+import { AskButton } from '../askLine/AskButton';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
 import { SectionButton } from '../sectionLine/SectionButton';
@@ -61,6 +62,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
       <FilterChoices />
       <LayerChoices />
       <DistanceButton />
+      <AskButton />
       <SectionButton />
       <button
         class="button"

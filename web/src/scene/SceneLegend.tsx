@@ -1,5 +1,6 @@
 // The legends of the scene.
 
+import { sourceLegends } from '../askLine/sources';
 import { observedLegends } from '../calibration/observations';
 import { mapLegends } from '../maps/mapLegends';
 import { shownMap } from '../maps/shownMap';
@@ -29,6 +30,6 @@ function groundLegends(): LegendData[] {
   }
 }
 
-export const sceneLegends = (): LegendData[] => [...pathLegends(), ...observedLegends(), ...mapLegends(), ...groundLegends()];
+export const sceneLegends = (): LegendData[] => [...pathLegends(), ...sourceLegends(), ...observedLegends(), ...mapLegends(), ...groundLegends()];
 
 export const SceneLegend = () => <Legends list={sceneLegends()} />;

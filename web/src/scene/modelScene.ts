@@ -216,9 +216,9 @@ export class ModelScene {
 
   private draw(lists: typeof overlays.value) {
     clear(this.drawings);
-    for (const { points, kind, isBare, colour = markColours.tool } of Object.values(lists).flat()) {
+    for (const { points, kind, isBare, colour = markColours.tool, width = 2.5 } of Object.values(lists).flat()) {
       const places = points.map(this.local);
-      const look = { colour, size: 2.5, above: true };
+      const look = { colour, size: width, above: true };
       if (kind === 'polygon' && places.length === 3) this.drawings.add(patch(places, colour));
       if (kind !== 'points') this.drawings.add(line(places, look, kind === 'polygon'));
       if (kind !== 'polygon' && !isBare && places.length > 0) this.drawings.add(dots(places, { ...look, size: 9 }));

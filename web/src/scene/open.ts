@@ -2,11 +2,13 @@
 
 import type { AnimatedView } from '../animation/film';
 import { chosenRock, resultsTab } from '../state/view';
+import { toggleRelease } from '../askLine/sources';
 import { ModelScene } from './modelScene';
 import { ObservedScene } from './observedScene';
 import { Pointing } from './pointing';
 import { RunScene } from './runScene';
 import { animatedScene, scenePicture } from './scenePrint';
+import { SourceScene } from './sourceScene';
 import type { SheetPicture } from '../view/sheet';
 
 export interface OpenScene {
@@ -23,8 +25,11 @@ export function openScene(host: HTMLElement): OpenScene {
   const pointing = new Pointing(scene);
   const runs = new RunScene(scene);
   const observed = new ObservedScene(scene);
-  // Without a tool, a click selects the rock of a trajectory; next to all trajectories it deselects.
+  const sources = new SourceScene(scene);
+  // A click on a release place shows only its rocks. Otherwise, without a tool, a click selects the rock of a trajectory; next to all trajectories it deselects.
   pointing.onClick = ({ clientX, clientY }) => {
+    const place = sources.placeAt(clientX, clientY);
+    if (place !== null) return toggleRelease(place);
     chosenRock.value = runs.rockAt(clientX, clientY);
     if (chosenRock.value !== null) resultsTab.value = 'rock';
   };
@@ -37,6 +42,7 @@ export function openScene(host: HTMLElement): OpenScene {
       pointing.dispose();
       runs.dispose();
       observed.dispose();
+      sources.dispose();
       scene.dispose();
     },
   };

@@ -5,15 +5,18 @@ import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
 import { notify } from '../state/messages';
 import { model } from '../state/model';
+import type { Pixel } from '../view/nearness';
 import type { ModelScene } from './modelScene';
 import { namedViews, type NamedView } from './namedViews';
 import * as picture from './picture';
-import { finishTool, inTurn, tool, type Place } from './tool';
+import { dragging, endDrag, finishTool, gripAt, inTurn, tool, type Drag, type Place } from './tool';
 
 const drag = 4; // pixels of movement that turn a click into a drag
 
 export class Pointing {
   private down: { x: number; y: number } | null = null;
+  /// Where something was grabbed, until it is moved.
+  private grabbed: { x: number; y: number } | null = null;
   private last: PointerEvent | null = null;
   private waiting = 0;
   private isRefining = false;
@@ -25,18 +28,22 @@ export class Pointing {
     const canvas = scene.stage.renderer.domElement;
     const on = <K extends keyof HTMLElementEventMap>(type: K, task: (event: HTMLElementEventMap[K]) => void) =>
       canvas.addEventListener(type, task, { signal: this.listening.signal });
+    // Before the controls of the camera, which would turn the view.
+    canvas.addEventListener('pointerdown', (event) => this.grab(event), { capture: true, signal: this.listening.signal });
     on('pointerdown', (event) => {
       canvas.focus({ preventScroll: true });
       this.down = event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
     });
+    on('pointercancel', () => endDrag('cancel'));
     on('pointerup', (event) => {
+      if (dragging.peek()) return this.drop(event);
       const still = this.down && Math.hypot(event.clientX - this.down.x, event.clientY - this.down.y) < drag;
       this.down = null;
       if (still) void inTurn(() => this.click(event));
     });
     on('pointermove', (event) => {
       this.last = event;
-      if (event.buttons === 0) this.waiting ||= requestAnimationFrame(() => this.move());
+      if (event.buttons === 0 || dragging.peek()) this.waiting ||= requestAnimationFrame(() => this.move());
     });
     on('pointerleave', () => {
       this.last = null;
@@ -50,6 +57,42 @@ export class Pointing {
       if (place) this.centre(scene.local(place.point));
     });
     on('keydown', (event) => this.key(event));
+  }
+
+  /// The drag that would begin at a position of the window.
+  private gripAt({ clientX, clientY }: PointerEvent): Drag | null {
+    const box = this.scene.stage.renderer.domElement.getBoundingClientRect();
+    const pixelOf = (point: Point3): Pixel | null => {
+      const at = this.scene.stage.pixelOf(this.scene.local(point));
+      return at && [at.x, at.y];
+    };
+    return gripAt(pixelOf, [clientX - box.left, clientY - box.top]);
+  }
+
+  private grab(event: PointerEvent) {
+    if (event.button !== 0) return;
+    const drag = this.gripAt(event);
+    if (!drag) return;
+    event.stopImmediatePropagation();
+    const canvas = this.scene.stage.renderer.domElement;
+    canvas.focus({ preventScroll: true });
+    canvas.setPointerCapture(event.pointerId);
+    this.grabbed = { x: event.clientX, y: event.clientY };
+    dragging.value = drag;
+  }
+
+  /// Moves what is dragged, once the pointer has left the place where it was grabbed.
+  private drag({ clientX, clientY }: PointerEvent, place: Place | null) {
+    const { grabbed } = this;
+    if (grabbed && Math.hypot(clientX - grabbed.x, clientY - grabbed.y) < drag) return;
+    this.grabbed = null;
+    if (place) dragging.peek()?.move(place);
+  }
+
+  /// Ends a drag at the pointer, even if the last movement was not shown yet.
+  private drop(event: PointerEvent) {
+    this.drag(event, this.placeAt(event.clientX, event.clientY));
+    endDrag('drop');
   }
 
   placeAt(x: number, y: number): Place | null {
@@ -87,6 +130,9 @@ export class Pointing {
     if (!this.last) return;
     const place = this.placeAt(this.last.clientX, this.last.clientY);
     picture.pointer.value = place;
+    const { style } = this.scene.stage.renderer.domElement;
+    style.cursor = dragging.peek() ? 'grabbing' : this.gripAt(this.last) ? 'grab' : '';
+    if (dragging.peek()) this.drag(this.last, place);
     tool.value?.move?.(place);
     void this.refine();
   }

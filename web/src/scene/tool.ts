@@ -5,6 +5,7 @@ import { effect, signal, untracked } from '@preact/signals';
 import type { Point3 } from '../api/types';
 import { opening } from '../state/document';
 import { reportFailure } from '../state/messages';
+import type { Pixel } from '../view/nearness';
 
 /// A point on the terrain in the project's coordinates. In 2D, y is 0.
 export interface Place {
@@ -41,6 +42,8 @@ export interface Overlay {
   label?: string;
   /// A line without marks at its points.
   isBare?: boolean;
+  /// Of a line [pixels].
+  width?: number;
 }
 export const overlays = signal<Record<string, Overlay[]>>({});
 
@@ -78,3 +81,32 @@ effect(() => {
   void opening.value;
   closeTool();
 });
+
+/// The drag of a mark in a view.
+export interface Drag {
+  /// The place on the ground below the pointer.
+  move(place: Place): void;
+  drop(): void;
+  cancel(): void;
+}
+/// Returns the drag that would begin at a pixel; null if it has nothing to drag there. `pixelOf` returns the pixel of a
+/// point of the project; null outside the view.
+export type Grip = (pixelOf: (point: Point3) => Pixel | null, at: Pixel) => Drag | null;
+/// Marks that can be dragged while no tool is active.
+export const grips = new Set<Grip>();
+/// The drag in progress.
+export const dragging = signal<Drag | null>(null);
+
+export function gripAt(pixelOf: (point: Point3) => Pixel | null, at: Pixel): Drag | null {
+  if (tool.peek()) return null;
+  for (const grip of grips) {
+    const found = grip(pixelOf, at);
+    if (found) return found;
+  }
+  return null;
+}
+export function endDrag(how: 'drop' | 'cancel') {
+  const active = dragging.peek();
+  dragging.value = null;
+  active?.[how]();
+}

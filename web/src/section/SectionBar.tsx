@@ -1,6 +1,7 @@
 // The toolbar of the section.
 
 import { AnimationButton } from '../animation/AnimationButton';
+import { AskButton } from '../askLine/AskButton';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
 import { saveSheet } from '../view/sheet';
@@ -36,6 +37,7 @@ export function SectionBar() {
       <FilterChoices />
       <LayerChoices />
       <DistanceButton />
+      <AskButton />
       <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet(sectionPicture)}>
         Picture
       </button>

@@ -86,10 +86,10 @@ export function drawObserved(pen: Pen, frame: Frame, lists: readonly ObservedPla
 }
 
 export function drawOverlays(pen: Pen, frame: Frame, lists: Overlay[]): Label[] {
-  return lists.flatMap(({ points, kind, colour = markColours.tool, label }) => {
+  return lists.flatMap(({ points, kind, colour = markColours.tool, label, width = 3 }) => {
     const pixels = points.map(([x, , z]) => pixelOf(frame, x, z));
     if (kind === 'points') for (const pixel of pixels) dot(pen, pixel, 5, colour);
-    else polyline(pen, pixels, 3, colour, kind === 'polygon');
+    else polyline(pen, pixels, width, colour, kind === 'polygon');
     if (kind !== 'points') for (const pixel of pixels) dot(pen, pixel, 3.5, colour);
     const last = pixels.at(-1);
     return label && last ? [labelOf(pen, label, last, 5)] : [];

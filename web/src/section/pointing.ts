@@ -1,7 +1,8 @@
 // Pointer and keys of the section: position, view, clicks for tools or on seeders and barriers.
 
-import type { Place } from '../scene/tool';
-import { finishTool, tool } from '../scene/tool';
+import type { Point3 } from '../api/types';
+import type { Drag, Place } from '../scene/tool';
+import { dragging, endDrag, finishTool, gripAt, tool } from '../scene/tool';
 import { model } from '../state/model';
 import { chosen } from '../state/view';
 import { moved, pixelOf, placeOf, zoomed } from './frame';
@@ -53,17 +54,27 @@ function thingAt({ x, z }: { x: number; z: number }): Path | null {
   return barrier ? pathOf(barrier.path) : null;
 }
 
+/// The drag that would begin at the pointer.
+function gripUnder(canvas: HTMLCanvasElement, event: PointerEvent): Drag | null {
+  const now = frame.value;
+  const box = canvas.getBoundingClientRect();
+  return now && gripAt(([x, , z]: Point3) => pixelOf(now, x, z), [event.clientX - box.left, event.clientY - box.top]);
+}
+
 /// `onClick` is called for clicks without a tool that hit no seeder or barrier.
 export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent) => void): () => void {
   const listening = new AbortController();
   const on = <K extends keyof HTMLElementEventMap>(type: K, task: (event: HTMLElementEventMap[K]) => void) =>
     canvas.addEventListener(type, task, { signal: listening.signal, passive: false });
   let down: { x: number; y: number; still: boolean } | null = null;
+  let grabbed: PointerEvent | null = null; // until what it grabbed is moved
 
   on('pointerdown', (event) => {
     canvas.focus({ preventScroll: true });
     canvas.setPointerCapture(event.pointerId);
-    down = { x: event.clientX, y: event.clientY, still: true };
+    dragging.value = event.button === 0 ? gripUnder(canvas, event) : null;
+    grabbed = dragging.value ? event : null;
+    down = dragging.value ? null : { x: event.clientX, y: event.clientY, still: true };
   });
   on('pointermove', (event) => {
     if (down && frame.value) {
@@ -77,9 +88,16 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent)
     if (!place) return;
     const ground = profile.value ? groundBelow(profile.value, place.x) : null;
     pointer.value = { ...place, ground: ground?.z ?? null };
+    canvas.style.cursor = dragging.peek() ? 'grabbing' : gripUnder(canvas, event) ? 'grab' : '';
+    if (grabbed && Math.hypot(event.clientX - grabbed.clientX, event.clientY - grabbed.clientY) < drag) return;
+    grabbed = null;
+    dragging.peek()?.move(withSegment(place));
     tool.value?.move?.(withSegment(place));
   });
+  on('pointercancel', () => endDrag('cancel'));
   on('pointerup', (event) => {
+    grabbed = null;
+    if (dragging.peek()) return endDrag('drop');
     const wasClick = down?.still && event.button === 0;
     down = null;
     const place = placeAt(canvas, event);

@@ -4,16 +4,21 @@ import { useCallback, useState } from 'preact/hooks';
 import type { GroundSection, Point2 } from '../api/types';
 import { cellsOf } from '../model/rows';
 import { EditTable } from '../model/form/EditTable';
-import { profile } from '../figures/profile';
-import type { Range, Room } from '../figures/plot';
+import { extentOfProfile, profile } from '../figures/profile';
+import type { Room } from '../figures/plot';
+import { shownPaths } from '../paths/drawnPaths';
+import { saveCsv } from '../figures/files';
 import { Chart } from '../results/Chart';
 import { shownColour } from '../results/layers';
 import { copyRows, fileName } from '../results/save';
 import { fileStem } from '../state/document';
-import { notify, resolve } from '../state/messages';
+import { notify, reportFailure, resolve } from '../state/messages';
 import { counted, numberText } from '../ui/format';
 import { equalAxes } from '../view/settings';
+import { CorridorChoices } from './CorridorChoices';
+import { corridorTraces } from './corridorTraces';
 import { equalRanges, gapsOf } from './groundSection';
+import { makeSectionProject } from './makeSectionProject';
 import {
   drawSection,
   groundSection,
@@ -24,7 +29,8 @@ import {
   takeLine,
   waitingRows,
 } from './sectionLine';
-import { placeText, sectionRows } from './sectionPlot';
+import { envelopeRows, placeText, sectionRows } from './sectionPlot';
+import { useEnvelope } from './useEnvelope';
 import './sectionLine.css';
 
 /// A notice on parts of the line without terrain.
@@ -45,21 +51,22 @@ function Gaps({ of }: { of: GroundSection }) {
 
 function Plot({ of }: { of: GroundSection }) {
   const isEqual = equalAxes.value;
+  const traces = corridorTraces.value;
+  const { envelope, error } = useEnvelope();
   const draw = useCallback(
     (element: SVGSVGElement, room: Room) => {
-      const heights = of.z_m.filter((z) => z !== null);
-      const [low, high] = heights.reduce<Range>(([a, b], z) => [Math.min(a, z), Math.max(b, z)], [Infinity, -Infinity]);
-      const along: Range = [0, of.distance_m.at(-1) ?? 0];
+      const shownNow = { distance: of.distance_m, z: of.z_m, traces };
+      const [along, heights] = extentOfProfile(shownNow);
       return profile(element, room, {
-        distance: of.distance_m,
-        z: of.z_m,
+        ...shownNow,
         colour: shownColour,
-        fit: isEqual && heights.length > 0 ? (width, height) => equalRanges(along, [low, high], width, height) : undefined,
+        envelope,
+        fit: isEqual && heights[1] > heights[0] ? (width, height) => equalRanges(along, heights, width, height) : undefined,
         textOf: (place) => placeText(of, place, '\n'),
         hover: (place) => (marked.value = place),
       });
     },
-    [of, isEqual],
+    [of, isEqual, traces, envelope],
   );
   const k = marked.value;
   const [slid, setSlid] = useState<number | null>(null);
@@ -71,18 +78,29 @@ function Plot({ of }: { of: GroundSection }) {
     <div class="section-plot">
       <Chart
         title="Ground along the line"
-        description="Elevation of the ground against the distance along the line. The CSV button saves its numbers, the slider below moves along it."
+        description="Elevation of the ground against the distance along the line, with the trajectories beside it. The CSV button saves the ground, the slider below moves along it."
+        note={error}
         file={fileName(fileStem(), 'section')}
         draw={draw}
         rows={() => sectionRows(of)}
         pointed={slid}
         tools={
           <>
+            {shownPaths.value && <CorridorChoices />}
             <label class="choice" title="The same scale on both axes">
               <input type="checkbox" checked={isEqual} onChange={(event) => (equalAxes.value = event.currentTarget.checked)} />
               Equal axes
             </label>
             <span class="chart-buttons">
+              {envelope && (
+                <button
+                  class="button plain"
+                  title="Save the envelope as CSV"
+                  onClick={() => saveCsv(fileName(fileStem(), 'section', 'envelope'), envelopeRows(envelope))}
+                >
+                  Envelope CSV
+                </button>
+              )}
               <button class="button plain" onClick={() => copyRows(sectionRows(of))}>
                 Copy
               </button>
@@ -153,6 +171,15 @@ export function SectionTab() {
           waiting={waitingRows.value}
           keepWaiting={(rows) => (waitingRows.value = rows)}
         >
+          {section && (
+            <button
+              class="button"
+              title="A new project with this section, the same materials, and the seeders and barriers of the corridor"
+              onClick={() => void makeSectionProject(section, line).catch(reportFailure)}
+            >
+              Make a 2D project
+            </button>
+          )}
           {line.length > 0 && (
             <>
               <button class="button" onClick={drawSection}>

@@ -2,6 +2,7 @@
 
 import type { GroundSection } from '../api/types';
 import type { Cell } from '../figures/files';
+import type { AlongLine } from '../figures/profile';
 
 export function placeText({ distance_m, z_m, x_m, y_m }: GroundSection, k: number, between = ', '): string {
   const z = z_m[k];
@@ -17,5 +18,13 @@ export function sectionRows({ distance_m, z_m, x_m, y_m }: GroundSection): Cell[
   return [
     ['distance_m', 'z_m', 'x_m', 'y_m'],
     ...distance_m.map((distance, k) => [distance, z_m[k] ?? '', x_m[k]!, y_m[k]!]),
+  ];
+}
+
+/// The envelope at its stations, in the units of its axis. Empty: nothing passes.
+export function envelopeRows({ label, stations, curves }: AlongLine): Cell[][] {
+  return [
+    ['distance_m', ...curves.map(({ name }) => `${name} ${/\[.*\]/.exec(label)?.[0] ?? ''}`.trim())],
+    ...stations.map((distance, k) => [distance, ...curves.map(({ values }) => values[k] ?? '')]),
   ];
 }

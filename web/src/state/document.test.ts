@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, test } from 'vitest';
-import { begin, edit, endStep, leave, markSaved, redo, replaceText, text, undo, undoes, values } from './document';
+import { begin, edit, endStep, isChanged, leave, markSaved, recordBeside, redo, replaceText, text, undo, undoes, values } from './document';
 import { messages } from './messages';
 
 const saved = '[ground]\ndefault = "Rock"\n';
@@ -30,6 +30,33 @@ describe('a step', () => {
       return rocks;
     });
     expect([seen.length, text.value]).toEqual([3, saved]);
+  });
+});
+
+describe('a change beside the text', () => {
+  test('is undone and redone in its turn, and changes no text', () => {
+    let line = 'none';
+    const draw = (to: string) => {
+      const before = line;
+      line = to;
+      recordBeside(`draw ${to}`, () => (line = before), () => (line = to));
+    };
+    draw('a');
+    expect(isChanged.value).toBe(false);
+    set(100);
+    draw('b');
+    expect(undoes.value).toBe('draw b');
+    const seen = [1, 2, 3].map(() => {
+      undo();
+      return [line, values.value.rocks];
+    });
+    expect(seen).toEqual([['a', 100], ['a', undefined], ['none', undefined]]);
+    [1, 2, 3].forEach(redo);
+    expect([line, values.value.rocks, text.value === saved]).toEqual(['b', 100, false]);
+    undo();
+    draw('c'); // instead of b
+    redo();
+    expect(line).toBe('c');
   });
 });
 

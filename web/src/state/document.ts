@@ -7,9 +7,15 @@ import { edited, valuesOf } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { notify, resolve, resolveAll } from './messages';
 
+/// A change beside the text, such as that of a drawn line, with the functions that undo and redo it.
+interface Beside {
+  back: () => void;
+  forth: () => void;
+}
 interface Step {
   text: string;
   what: string; // for "Undo: ..."
+  beside?: Beside | undefined;
 }
 
 const mostSteps = 500;
@@ -89,6 +95,14 @@ export function replaceText(next: string, what: string, merge = '') {
   });
   lastMerge = merge;
 }
+/// Records a change beside the text, which was already made, as a step.
+export function recordBeside(what: string, back: () => void, forth: () => void) {
+  batch(() => {
+    remember({ text: text.value, what, beside: { back, forth } });
+    future.value = [];
+  });
+  endStep();
+}
 let lastMerge = '';
 /// Ends merging: a field was left, or the project was saved or computed.
 export function endStep() {
@@ -115,9 +129,10 @@ export function undo() {
   const step = past.value.at(-1);
   if (!step) return;
   batch(() => {
-    future.value = [...future.value, { text: text.value, what: step.what }];
+    future.value = [...future.value, { ...step, text: text.value }];
     past.value = past.value.slice(0, -1);
     text.value = step.text;
+    step.beside?.back();
   });
   endStep();
 }
@@ -126,9 +141,10 @@ export function redo() {
   const step = future.value.at(-1);
   if (!step) return;
   batch(() => {
-    past.value = [...past.value, { text: text.value, what: step.what }];
+    past.value = [...past.value, { ...step, text: text.value }];
     future.value = future.value.slice(0, -1);
     text.value = step.text;
+    step.beside?.forth();
   });
   endStep();
 }

@@ -8,6 +8,10 @@ export interface RockFilter {
   seeders: string[] | null;
   sources: string[] | null;
   barriers: string[] | null;
+  /// Numbers of release places of the shown run.
+  releases: number[] | null;
+  /// The rocks that cross an asked line: the server's name of their selection.
+  crossing: string | null;
   minEnergy_kJ: number | null;
   maxEnergy_kJ: number | null;
 }
@@ -17,6 +21,8 @@ export const everyRock: RockFilter = {
   seeders: null,
   sources: null,
   barriers: null,
+  releases: null,
+  crossing: null,
   minEnergy_kJ: null,
   maxEnergy_kJ: null,
 };
@@ -24,3 +30,6 @@ export const everyRock: RockFilter = {
 export const filter = ofProject<RockFilter>(everyRock);
 
 export const isFiltering = (now: RockFilter) => Object.values(now).some((condition) => condition !== null);
+
+/// The rocks of `filter.crossing`; null while they are unknown.
+export const crossingRocks = ofProject<ReadonlySet<number> | null>(null);

@@ -4,7 +4,7 @@ import { batch, effect } from '@preact/signals';
 import { file, rowsOf } from './document';
 import { reportFailure } from './messages';
 import { close, open } from './opening';
-import { chosen, resultsTab, sidePanel, verifying, type ResultsTab, type SidePanel } from './view';
+import { chosen, isAsking, resultsTab, sidePanel, verifying, type ResultsTab, type SidePanel } from './view';
 import { allWritten } from './writes';
 import { afterTyping } from '../ui/typing';
 import type { Path, TableName } from '../model/names';
@@ -17,6 +17,7 @@ interface Place {
   chosen: Path | null;
   sidePanel: SidePanel;
   resultsTab: ResultsTab;
+  isAsking: boolean;
 }
 
 function placeNow(): Place {
@@ -28,6 +29,7 @@ function placeNow(): Place {
     chosen: now === null ? null : chosen.value,
     sidePanel: sidePanel.value,
     resultsTab: resultsTab.value,
+    isAsking: now !== null && isAsking.value,
   };
 }
 
@@ -51,6 +53,7 @@ async function goTo(place: Place) {
     verifying.value = place.verifying;
     sidePanel.value = place.sidePanel;
     resultsTab.value = place.resultsTab;
+    if (place.file !== null) isAsking.value = place.isAsking ?? false;
     chosen.value = place.file !== null && exists(place.chosen) ? place.chosen : null;
   });
 }

@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import type { Path } from '../model/names';
 import { kept } from './kept';
-import { ofProject } from './ofProject';
+import { keptOfProject, ofProject } from './ofProject';
 
 export type Theme = 'system' | 'light' | 'dark';
 
@@ -26,6 +26,8 @@ export const chosen = ofProject<Path | null>(null);
 export const chosenRock = ofProject<number | null>(null);
 /// The name of the map that is draped over the terrain.
 export const drapedMap = ofProject<string | null>(null);
+/// Whether a line is asked: its card is open.
+export const isAsking = keptOfProject<boolean>('asking a line', false);
 export const helpOpen = signal(false);
 export const drapedOpacity = kept('opacity of the map', 1);
 /// Whether the start page shows the verification cases.

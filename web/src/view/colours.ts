@@ -25,6 +25,12 @@ export const slopeRamp = {
 };
 export const groundColour: { light: Colour; dark: Colour } = { light: hex('#d3d4d3'), dark: hex('#838484') };
 
+/// For the share of rocks from a release place that reach a line: blues, which no other scale of the views has.
+export const shareRamp = {
+  light: even('#eef5fb', '#c6dbef', '#8fc1e3', '#4a98c9', '#1d6cb1', '#08408a', '#04204d'),
+  dark: even('#173247', '#1d5578', '#2b7bab', '#45a1d3', '#7cc4ec', '#b5e0f8', '#eef9ff'),
+};
+
 const materials = ['#c2a878', '#8fa8a0', '#b58a6c', '#9cb06a', '#8d93b3', '#c08a94', '#d2b95e', '#7fa9c4', '#a58fb0', '#a3a39a', '#6f9678', '#cf9d6a'];
 /// The colour of a material by its index, the same everywhere.
 export const materialColour = (k: number): string => materials[k % materials.length]!;
@@ -34,7 +40,7 @@ const categories = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b
 /// For categories: end reasons, sources, seeders.
 export const categoryColour = (k: number): string => categories[k % categories.length]!;
 
-export const markColours = { barrier: '#d1495b', collector: '#2274a5', seeder: '#e07a00', tool: '#c2185b', stops: '#b0127b', marks: '#5b3bb0' };
+export const markColours = { barrier: '#d1495b', collector: '#2274a5', seeder: '#e07a00', tool: '#c2185b', stops: '#b0127b', marks: '#5b3bb0', asked: '#0b5fff', worst: '#d00000' };
 
 export function colourAt(ramp: Ramp, place: number): Colour {
   const after = ramp.findIndex(([at]) => at >= place);

@@ -25,3 +25,7 @@ export const layerNames = { terrain: 'Terrain', seeders: 'Seeders', barriers: 'B
 
 /// In the section view and in ground sections: the same scale on both axes.
 export const equalAxes = keptOfProject<boolean>('equal axes', true);
+/// Trajectories at most this far from the line of a ground section are drawn in it [m].
+export const corridorWidth = keptOfProject<number>('section corridor', 10);
+/// The envelope over the ground section; empty: none.
+export const sectionEnvelope = keptOfProject<'' | 'height_m' | 'ke_total_J' | 'velocity_m_s'>('section envelope', 'height_m');

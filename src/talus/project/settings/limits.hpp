@@ -29,6 +29,7 @@ constexpr double most_energy_kJ = 1e20;
 constexpr double most_drag_kg_s = 1e12;
 constexpr double most_factor = 1e6;  // of dimensionless factors and ground drag
 constexpr double most_exponent = 100;
+constexpr double most_store_MB = 1e6;
 constexpr std::size_t most_percentiles = 20;  // each is a map per quantity, or a column
 
 constexpr std::string_view within_places = "coordinates are in metres";

@@ -8,8 +8,8 @@
 namespace talus::project::declared {
 namespace {
 
-std::function<Slot(Row)> rock_limit_slot(std::optional<std::int64_t> Output::*limit) {
-  return [limit](Row row) -> Slot { return RockLimitSlot{&(std::get<Output*>(row)->*limit)}; };
+std::function<Slot(Row)> limit_slot(std::optional<std::int64_t> Output::*limit) {
+  return [limit](Row row) -> Slot { return LimitSlot{&(std::get<Output*>(row)->*limit)}; };
 }
 std::function<Slot(Row)> plan_point_slot() {
   return [](Row row) -> Slot { return PlanPointSlot{&std::get<Output*>(row)->runout_from}; };
@@ -31,13 +31,13 @@ Table output_table() {
       .settings =
           {
               {.key = "endpoints",
-               .slot = rock_limit_slot(&Output::endpoint_limit),
+               .slot = limit_slot(&Output::endpoint_limit),
                .range = between(0, most_rocks),
                .meaning = "Number of rocks in `endpoints.csv`: `\"all\"`, `\"none\"` or a number, evenly spread. Rocks "
                           "whose paths are written are always included.",
                .source = "Talus"},
               {.key = "paths",
-               .slot = rock_limit_slot(&Output::path_limit),
+               .slot = limit_slot(&Output::path_limit),
                .range = between(0, most_rocks),
                .title = "Rocks with paths",
                .topic = topics::paths,
@@ -45,13 +45,22 @@ Table output_table() {
                    "Number of rocks with a path in `paths.csv`: `\"all\"`, `\"none\"` or a number, evenly spread.",
                .source = "Talus"},
               {.key = "impacts",
-               .slot = rock_limit_slot(&Output::impact_limit),
+               .slot = limit_slot(&Output::impact_limit),
                .range = between(0, most_rocks),
                .title = "Rocks with impacts",
                .topic = topics::impacts,
                .meaning =
                    "Number of rocks whose impacts are in `impacts.csv`: `\"all\"`, `\"none\"` or a number, evenly "
                    "spread. With `\"none\"`, the file is not written.",
+               .source = "Talus"},
+              {.key = "trajectories_MB",
+               .slot = limit_slot(&Output::trajectories_MB),
+               .unit = "MB",
+               .range = between(0, most_store_MB),
+               .title = "Store of trajectories",
+               .topic = topics::trajectories,
+               .meaning = "Size of `trajectories.bin`, which has the trajectories of as many rocks as fit, a fair sample "
+                          "if not all: `\"all\"`, `\"none\"` or a number. While the run lasts, they are in memory.",
                .source = "Talus"},
               {.key = "runout_from",
                .slot = plan_point_slot(),
@@ -135,7 +144,7 @@ Table output_table() {
                           "mean, at most 20.",
                .source = "Talus"},
               {.key = "geopackage",
-               .slot = rock_limit_slot(&Output::geopackage_limit),
+               .slot = limit_slot(&Output::geopackage_limit),
                .range = between(0, most_rocks),
                .applies_when = {in_3d(Otherwise::warned, {}, "a section has no position on a map",
                                       "Give terrain.width_m for 3D")},

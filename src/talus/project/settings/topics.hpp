@@ -25,6 +25,7 @@ constexpr Topic sampling{"project-file.md", "`[sampling]`"};
 constexpr Topic output{"project-file.md", "`[output]`"};
 constexpr Topic paths{"outputs.md", "paths.csv"};
 constexpr Topic impacts{"outputs.md", "impacts.csv"};
+constexpr Topic trajectories{"outputs.md", "trajectories.bin"};
 constexpr Topic runout{"outputs.md", "Runout"};
 constexpr Topic geopackage{"outputs.md", "results.gpkg"};
 constexpr Topic vtk{"outputs.md", "paths.vtp"};

@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <vector>
+
+#include "commands.hpp"
+#include "earlier_output.hpp"
+#include "talus/archive/table_columns.hpp"
+#include "talus/core/problems.hpp"
+#include "talus/export/stored_paths.hpp"
+#include "talus/files/file_record.hpp"
+#include "talus/files/output_file.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+/// nullopt: all.
+std::optional<std::uint64_t> rocks_wanted(const std::string& text) {
+  if (text == "all") return std::nullopt;
+  std::uint64_t rocks = 0;
+  const char* const end = text.data() + text.size();
+  if (const auto [last, error] = std::from_chars(text.data(), end, rocks); error == std::errc() && last == end)
+    return rocks;
+  throw BadInput(Problem{.where = "--paths",
+                         .what = fmt::format("\"{}\" is not a number of rocks", text),
+                         .why = "expected \"all\" or a whole number"});
+}
+
+/// A run's own table is part of its results: their checksums are recorded, and reports are made from them.
+void refuse_results(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const std::vector<std::string> results = recorded_files(folder);
+  if (std::ranges::find(results, file.filename().string()) == results.end()) return;
+  throw BadInput(Problem{.file = file.string(),
+                         .what = "cannot write the table here",
+                         .why = "this file is a result of a run",
+                         .hint = "Choose another name"});
+}
+
+struct StandardOutput : TextSink {
+  void write(std::string_view text) override { fmt::print("{}", text); }
+};
+
+}  // namespace
+
+int export_paths(const ExportOptions& options) {
+  const std::optional<std::uint64_t> wanted = rocks_wanted(options.paths);
+  if (!options.file.empty()) {
+    (void)place_of_file(options.file);
+    refuse_results(options.file);
+    refuse_other_files(options.file, header_of<PathEventRow>(), "table of paths");
+  }
+  const TrajectoryStore store(options.folder / trajectories_name);
+  if (options.file.empty()) {
+    StandardOutput out;
+    write_stored_paths(store, wanted, out);
+    return done;
+  }
+  OutputFile out(options.file);
+  write_stored_paths(store, wanted, out);
+  out.commit();
+  fmt::print("{}\n", options.file.string());
+  return done;
+}
+
+}  // namespace talus::cli

@@ -1,0 +1,38 @@
+#include "talus/export/stored_paths.hpp"
+
+#include <string>
+
+#include "talus/archive/even_choice.hpp"
+#include "talus/archive/result_tables.hpp"
+#include "talus/core/stop.hpp"
+
+namespace talus {
+
+void write_stored_paths(const TrajectoryStore& store, std::optional<std::uint64_t> wanted, TextSink& out) {
+  const StoreFacts& facts = store.facts();
+  TableContext context;
+  context.frame.origin = facts.origin;
+  context.gravity = facts.gravity.norm();
+  context.energy_datum = facts.energy_datum;
+  context.seeders = facts.seeders;
+  const std::uint64_t rocks = store.rocks().size();
+  const EvenChoice choice(wanted.value_or(rocks), rocks);
+  std::string text = header_of<PathEventRow>();
+  StoredTrajectory trajectory;
+  PathEventRow row;
+  CsvMemory memory;
+  for (std::size_t place = 0; place < rocks; ++place) {
+    if (!choice.contains(place)) continue;
+    stop_point();
+    store.read(place, trajectory);
+    for (std::size_t k = 0; k < trajectory.rows.size(); ++k) {
+      fill(row, context, trajectory.record, k, trajectory.rows[k]);
+      append_row(text, row, &memory);
+    }
+    out.write(text);
+    text.clear();
+  }
+  out.write(text);
+}
+
+}  // namespace talus

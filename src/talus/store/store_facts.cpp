@@ -1,0 +1,82 @@
+#include "talus/store/store_facts.hpp"
+
+#include <cmath>
+
+namespace talus {
+
+namespace {
+
+double get_finite(ByteReader& in) {
+  const auto x = in.get<double>();
+  expect_bytes(std::isfinite(x), "a number is not finite");
+  return x;
+}
+Vec3 get_vector(ByteReader& in) {
+  Vec3 v;
+  for (double& x : v) x = get_finite(in);
+  return v;
+}
+
+void save_names(ByteWriter& out, const std::vector<std::string>& names) {
+  out.count(names.size());
+  for (const std::string& name : names) out.text(name);
+}
+std::vector<std::string> read_names(ByteReader& in) {
+  std::vector<std::string> names(in.count(sizeof(std::uint64_t)));
+  for (std::string& name : names) name = in.text();
+  return names;
+}
+
+}  // namespace
+
+StoreFacts StoreFacts::of(const Model& model) {
+  StoreFacts facts;
+  facts.is_section = std::holds_alternative<Profile>(model.surface);
+  facts.is_sphere = model.laws.model == RockModel::rigid_sphere;
+  facts.origin = model.frame.origin + Vec3::Zero();  // without negative zeros
+  facts.gravity = model.laws.gravity;
+  facts.energy_datum = model.energy_datum;
+  facts.seed = model.seed;
+  facts.planned = model.rocks();
+  facts.ensembles = model.ensembles.size();
+  for (const Seeder& seeder : model.seeders) facts.seeders.push_back(seeder.name);
+  facts.sources = model.sources;
+  for (const Material& material : model.ground.materials()) facts.materials.push_back(material.name);
+  const Box bounds = std::visit([](const auto& surface) { return surface.bounds(); }, model.surface);
+  facts.grid = StoreGrid::over({bounds.low.head(2), bounds.high.head(2)}, facts.is_section);
+  return facts;
+}
+
+void StoreFacts::save(ByteWriter& out) const {
+  out.flag(is_section);
+  out.flag(is_sphere);
+  for (const double x : origin) out.put(x);
+  for (const double x : gravity) out.put(x);
+  out.put(energy_datum);
+  out.put(seed);
+  out.put(planned);
+  out.put(ensembles);
+  save_names(out, seeders);
+  save_names(out, sources);
+  save_names(out, materials);
+  grid.save(out);
+}
+
+StoreFacts StoreFacts::read(ByteReader& in) {
+  StoreFacts facts;
+  facts.is_section = in.flag();
+  facts.is_sphere = in.flag();
+  facts.origin = get_vector(in);
+  facts.gravity = get_vector(in);
+  facts.energy_datum = get_finite(in);
+  facts.seed = in.get<std::uint64_t>();
+  facts.planned = in.get<std::uint64_t>();
+  facts.ensembles = in.get<std::uint64_t>();
+  facts.seeders = read_names(in);
+  facts.sources = read_names(in);
+  facts.materials = read_names(in);
+  facts.grid = StoreGrid::read(in);
+  return facts;
+}
+
+}  // namespace talus

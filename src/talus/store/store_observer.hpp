@@ -1,0 +1,90 @@
+#pragma once
+// Keeps the trajectories of a run as bytes in memory, as many as a budget allows.
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "talus/results/record.hpp"
+#include "talus/store/path_code.hpp"
+#include "talus/store/store_facts.hpp"
+
+namespace talus {
+
+/// How many rocks a store has, for people.
+struct StoreExtent {
+  std::uint64_t rocks = 0, rows = 0;  // rows of paths.csv
+  std::uint64_t bytes = 0;            // of the file
+};
+
+/// The rocks that are kept are the first in the order of place_in_choice() that fit into the budget together. That
+/// depends on the rocks alone, not on the order in which they come, or how they are divided among processes.
+class StoreObserver : public SummingObserver {
+ public:
+  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+
+  /// `budget`: of the file [bytes], about. To observe the rocks of a model.
+  StoreObserver(std::uint64_t budget, const Model& model);
+  /// To merge saved content, without observing rocks.
+  explicit StoreObserver(std::uint64_t budget) : budget_(budget) {}
+
+  [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return is_wanted(rock); }
+  [[nodiscard]] bool wants_pieces() const override { return true; }
+  [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override;
+  void commit(ObserverPart& part) override;
+  void save(ByteWriter& out) override;
+  void merge_saved(ByteReader& in) override;
+
+  /// Writes the file of these trajectories. `done`: the rocks of the run so far. Throws BadInput if that fails.
+  StoreExtent write(const std::filesystem::path& file, std::uint64_t done);
+
+ private:
+  class Part;
+
+  /// A rock: the sizes of its cells (cell_set.hpp) and its path as bytes.
+  struct Kept {
+    std::uint64_t rock = 0, place = 0;  // place: in the order of the choice
+    std::uint32_t rows = 0, cells_size = 0, path_size = 0;
+
+    [[nodiscard]] std::uint64_t size() const { return std::uint64_t{cells_size} + path_size; }
+    /// In the file, with its entries in the directory and the index.
+    [[nodiscard]] std::uint64_t cost() const { return size() + directory_entry; }
+    static constexpr std::uint64_t directory_entry = 20;
+  };
+  struct Block {
+    std::vector<Kept> rocks;
+    std::string cells, paths;  // of the rocks, one after the other
+  };
+  /// A rock and its bytes.
+  struct Item {
+    const Kept* kept;
+    std::string_view cells, path;
+  };
+  /// Calls visit(item) for each rock.
+  template <class Visit>
+  static void for_items(const Block& block, const Visit& visit);
+
+  [[nodiscard]] std::uint64_t place_of(std::uint64_t rock) const;
+  [[nodiscard]] bool is_wanted(std::uint64_t rock) const;
+  void add(Block block);
+  /// Removes rocks from this place on.
+  void drop_from(std::uint64_t place);
+  /// Brings the total within the budget.
+  void settle();
+  [[nodiscard]] std::vector<Item> in_order() const;
+
+  std::uint64_t budget_;
+  std::optional<StoreFacts> facts_;
+  std::vector<Block> blocks_;
+  std::uint64_t cost_ = 0;
+  // Rocks from this place on do not fit; other threads read it while they simulate.
+  std::atomic<std::uint64_t> limit_ = no_limit;
+};
+
+}  // namespace talus

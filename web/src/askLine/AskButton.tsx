@@ -1,0 +1,15 @@
+import { isAsking } from '../state/view';
+
+export function AskButton() {
+  const isOn = isAsking.value;
+  return (
+    <button
+      class="button"
+      aria-pressed={isOn}
+      title="Which rocks cross a line, and what would stop them there"
+      onClick={() => (isAsking.value = !isOn)}
+    >
+      Ask a line
+    </button>
+  );
+}

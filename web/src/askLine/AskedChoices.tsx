@@ -1,0 +1,72 @@
+// What is asked: drawn, taken from the project, or read from a file.
+
+import { useRef } from 'preact/hooks';
+import { dimension } from '../model/place';
+import { chosenFiles } from '../model/files';
+import { reportFailure } from '../state/messages';
+import { model } from '../state/model';
+import { shownPaths } from '../paths/drawnPaths';
+import { ask, asked } from './asked';
+import { drawAsked, isDrawing, lineOfBarrier } from './askTools';
+import { takeLineFiles } from './lineFiles';
+
+/// A barrier that the run had is asked for its own hits; another one is asked as a line.
+function askBarrier(name: string) {
+  const isOfRun = shownPaths.value?.header.barriers.includes(name) ?? false;
+  ask(isOfRun ? { kind: 'barrier', name } : { kind: 'line', points: lineOfBarrier(name) }, `ask ${name}`);
+}
+
+export function AskedChoices() {
+  const input = useRef<HTMLInputElement>(null);
+  const is2d = dimension.value === 2;
+  const barriers = model.value?.barriers ?? [];
+  const now = asked.value;
+  return (
+    <div class="asked-choices">
+      <button class="button" aria-pressed={isDrawing('line')} onClick={() => drawAsked('line')}>
+        {is2d ? 'Pick a place' : 'Draw a line'}
+      </button>
+      {!is2d && (
+        <button class="button" aria-pressed={isDrawing('polygon')} onClick={() => drawAsked('polygon')}>
+          Draw an area
+        </button>
+      )}
+      {!is2d && (
+        <>
+          <button class="button" title="A line or an area of a GeoPackage, Shapefile, GeoJSON or DXF, or points of a CSV file; or drop one on the page" onClick={() => input.current?.click()}>
+            From a file
+          </button>
+          <input
+            ref={input}
+            type="file"
+            hidden
+            multiple
+            aria-label="File with a line"
+            onChange={(event) => void takeLineFiles(chosenFiles(event.currentTarget)).catch(reportFailure)}
+          />
+        </>
+      )}
+      {barriers.length > 0 && (
+        <select
+          aria-label="Barrier or collector"
+          value={now?.kind === 'barrier' ? now.name : ''}
+          onChange={(event) => event.currentTarget.value !== '' && askBarrier(event.currentTarget.value)}
+        >
+          <option value="">Barrier or collector…</option>
+          {barriers.map(({ name }) => (
+            <option key={name} value={name}>
+              {name}
+            </option>
+          ))}
+        </select>
+      )}
+      {!now && (
+        <p class="faint">
+          {is2d
+            ? 'Pick a place on the slope: which rocks pass it, how fast, how high, and what would stop them.'
+            : 'Draw a line on the terrain: which rocks cross it, how fast, how high, where they start, and what would stop them. Then drag the line or its corners.'}
+        </p>
+      )}
+    </div>
+  );
+}

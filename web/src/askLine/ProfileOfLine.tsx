@@ -1,0 +1,64 @@
+// The profile along the asked line.
+
+import { useCallback, useMemo } from 'preact/hooks';
+import type { LineAnswer } from '../api/line';
+import { lineProfile, lineProfileRows } from '../figures/lineProfile';
+import type { Room } from '../figures/plot';
+import { Chart } from '../results/Chart';
+import { shownColour } from '../results/layers';
+import { fileName } from '../results/save';
+import { shown } from '../state/runs';
+import { kept } from '../state/kept';
+import { pointedPart } from './askedOverlay';
+import { hasPercentile, profileChoices, stretchesOf, type ProfileChoice } from './quantities';
+
+const choice = kept<ProfileChoice>('profile of a line', 'ke_translational_J');
+
+export function ProfileOfLine({ of }: { of: LineAnswer }) {
+  const by = choice.value;
+  const { title, unit, per } = profileChoices[by];
+  const stretches = useMemo(() => stretchesOf(of.sections, by, of.design_percentile), [of, by]);
+  const whole = hasPercentile(by) ? `${title}, ${of.design_percentile} %` : title;
+  const draw = useCallback(
+    (element: SVGSVGElement, room: Room) =>
+      lineProfile(element, room, {
+        title: whole,
+        unit,
+        per,
+        stretches,
+        worst: of.worst?.section ?? null,
+        colour: shownColour,
+        hover: (k) => (pointedPart.value = k === null ? null : [stretches[k]!.from, stretches[k]!.to]),
+      }),
+    [stretches, of],
+  );
+  if (stretches.length < 2) return null;
+  const worst = of.worst && of.sections[of.worst.section];
+  return (
+    <div class="asked-profile">
+      <Chart
+        title="Along the line"
+        description={`${whole} in stretches of the line. The CSV button saves the numbers.`}
+        file={fileName(shown.value?.name ?? '', 'asked line', by)}
+        draw={draw}
+        rows={() => lineProfileRows(by, stretches)}
+        tools={
+          <select aria-label="Quantity along the line" value={by} onChange={(event) => (choice.value = event.currentTarget.value as ProfileChoice)}>
+            {Object.entries(profileChoices).map(([key, each]) => (
+              <option key={key} value={key}>
+                {hasPercentile(key as ProfileChoice) ? `${each.title}, ${of.design_percentile} %` : each.title}
+              </option>
+            ))}
+          </select>
+        }
+      />
+      {worst && of.worst && (
+        <p class="faint">
+          The worst stretch is from {Math.round(of.worst.from_m)} to {Math.round(of.worst.to_m)} m: {worst.rocks.toLocaleString('en')}{' '}
+          {worst.rocks === 1 ? 'rock' : 'rocks'}
+          {worst.needs?.class !== null && worst.needs?.class !== undefined && `, class ${worst.needs.class}`}.
+        </p>
+      )}
+    </div>
+  );
+}
