@@ -66,6 +66,20 @@ struct ReplayOptions {
 };
 int replay(const ReplayOptions& options);
 
+/// A question to a finished run; one of line, barrier and polygon.
+struct LineOptions {
+  std::filesystem::path folder;               // of the run
+  std::string line, polygon;                  // "x,y x,y ...", or a file
+  std::string barrier;                        // of the run
+  std::optional<double> height_m, energy_kJ;  // of a kit to judge; both or neither
+  std::optional<double> section_m;
+  std::vector<std::string> design;  // KEY=VALUE of [design]
+  std::filesystem::path files;      // folder of the project's files; empty: the one that `folder` is in
+  std::filesystem::path json;       // empty: none
+  bool csv = false;
+};
+int line(const LineOptions& options);
+
 struct ReportOptions {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path file;         // empty: report.html in the first folder, or compare.html for several

@@ -18,6 +18,7 @@ namespace {
 
 const CLI::Validator names_file = not_empty("\"\" is not a file name"),
                      names_folder = not_empty("\"\" is not a folder name"),
+                     names_line = not_empty("\"\" is not a line, polygon or barrier"),
                      names_shard = not_empty("\"\" is not a shard; expected i/n with i from 1 to n, for example 2/7");
 
 void add_project_options(CLI::App& command, ProjectOptions& options) {
@@ -151,6 +152,59 @@ int dispatch(int argc, char** argv) {
       ->required()
       ->type_name("N");
   replay_command->add_flag("--csv", replay_options.csv, "Print the rows of paths.csv instead of a table");
+
+  LineOptions line_options;
+  CLI::App* line_command =
+      app.add_subcommand("line", "Ask a finished run what crosses a line, or enters a polygon, on plan");
+  line_command->add_option("folder", line_options.folder, "Folder of the run, with its trajectories.bin")
+      ->required()
+      ->check(names_folder)
+      ->type_name("DIR");
+  auto* const asked = line_command->add_option_group("question", "What is asked");
+  asked
+      ->add_option("--line", line_options.line,
+                   "Corners \"x,y x,y ...\" (2D: x), a table (.csv) with the columns x_m and y_m, or a GIS file with "
+                   "one line")
+      ->check(names_line)
+      ->type_name("LINE");
+  asked->add_option("--barrier", line_options.barrier, "A barrier or collector of the run, by its name")
+      ->check(names_line)
+      ->type_name("NAME");
+  asked->add_option("--polygon", line_options.polygon, "As --line: the corners of a polygon")
+      ->check(names_line)
+      ->type_name("POLYGON");
+  asked->require_option(1);
+  auto* const kit_height =
+      line_command
+          ->add_option("--height", line_options.height_m, "Nominal height of a kit on the line: what does it stop?")
+          ->check(CLI::Range(1e-3, 1e3))
+          ->type_name("M");
+  auto* const kit_energy = line_command->add_option("--energy", line_options.energy_kJ, "Its maximum energy level")
+                               ->check(CLI::Range(1e-3, 1e9))
+                               ->type_name("KJ");
+  kit_height->needs(kit_energy);
+  kit_energy->needs(kit_height);
+  line_command
+      ->add_option("--section", line_options.section_m,
+                   "Length of the stretches of the profile (default: section_m of [design], or about a twentieth)")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->type_name("M");
+  line_command
+      ->add_option("--design", line_options.design,
+                   "Override a key of [design], for example --design standard=none; repeatable")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  line_command
+      ->add_option("--files", line_options.files, "Folder of the project's files (default: the folder that DIR is in)")
+      ->check(names_folder)
+      ->type_name("DIR");
+  auto* const json_file = line_command->add_option("--json", line_options.json, "Also write everything as JSON")
+                              ->check(names_file)
+                              ->type_name("FILE");
+  line_command->add_flag("--csv", line_options.csv, "Print the rows of design.csv instead of a table")
+      ->excludes(json_file);
 
   ReportOptions report_options;
   CLI::App* report_command = app.add_subcommand("report", "Write report.html of a run again, or compare two runs");
@@ -290,6 +344,7 @@ int dispatch(int argc, char** argv) {
   if (*calibrate_command) return calibrate(calibrate_options);
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);
+  if (*line_command) return line(line_options);
   if (*report_command) return report(report_options);
   if (*export_command) return export_paths(export_options);
   if (*sensitivity_command) return sensitivity(sensitivity_options);

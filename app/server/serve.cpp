@@ -12,6 +12,7 @@
 #include <system_error>
 #include <thread>
 
+#include "asked_runs.hpp"
 #include "events.hpp"
 #include "http/router.hpp"
 #include "http/session.hpp"
@@ -82,6 +83,7 @@ void serve(const ServeOptions& options) {
   ModelReading reading(options.limits.reading_time);
   RunStore runs(workplace, events, reading);
   RunModels run_models(workplace, reading, usable_memory() / share_of_models);
+  AskedRuns asked(run_models);
   router.set_port(port);
   server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
 
@@ -95,7 +97,7 @@ void serve(const ServeOptions& options) {
   add_run_routes(router, runs, events);
   add_calibration_routes(router, runs);
   add_observation_routes(router, workplace, shelf, runs, reading);
-  add_result_routes(router, runs, run_models);
+  add_result_routes(router, runs, run_models, asked);
   add_model_tile_routes(router, shelf);
   add_model_query_routes(router, shelf);
   add_line_file_routes(router, workplace, shelf, reading);

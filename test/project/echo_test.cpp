@@ -14,30 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// JSON as inline TOML.
-std::string as_toml(const Json& value) {
-  std::string out;
-  if (value == "inf") return "inf";
-  if (value.is_object()) {
-    for (const auto& [key, item] : value.items()) {
-      out += (out.empty() ? "" : ", ") + Json(key).dump() + " = " + as_toml(item);
-    }
-    return "{ " + out + " }";
-  }
-  if (value.is_array()) {
-    for (const auto& item : value) out += (out.empty() ? "" : ", ") + as_toml(item);
-    return '[' + out + ']';
-  }
-  return value.dump();
-}
-
-/// An echoed project as the text of a file.
-std::string file_of(const Json& echoed) {
-  std::string out;
-  for (const auto& [key, value] : echoed.items()) out += key + " = " + as_toml(value) + '\n';
-  return out;
-}
-
 /// Calls `visit(table, setting, given value, echoed value)` for every key that a sample gives.
 template <class Visit>
 void for_given_keys(const char* sample, Visit visit) {
@@ -93,7 +69,7 @@ TEST(Settings, EveryKeyOfADistributionIsRead) {
 TEST(Echo, ReadsBackAsTheSameProject) {
   for (const char* sample : samples) {
     const Json once = echo(read_sample(sample));
-    EXPECT_EQ(once, echo(read_sample(file_of(once)))) << once.dump(2);
+    EXPECT_EQ(once, echo(read_sample(text_of_echo(once)))) << once.dump(2);
   }
 }
 

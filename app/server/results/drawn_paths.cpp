@@ -34,16 +34,16 @@ class HeightAboveGround {
 }  // namespace
 
 DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
-                       const Model* model) {
+                       const Model* model, const RockTest& passes) {
   constexpr double tolerance = 0.05;  // of the arcs [m]
-  const std::uint64_t total = facts.in_tables.paths_before(facts.summary.rocks.done);
-  const EvenChoice chosen(rocks, total);
-  const auto wants = [&](std::uint64_t rock) {
-    return facts.in_tables.has_path(rock) && chosen.contains(facts.in_tables.paths_before(rock));
-  };
+  const TableRocks& tables = facts.in_tables;
+  const ChosenRocks chosen(
+      rocks, facts.summary.rocks.done, [&](std::uint64_t rock) { return tables.paths_before(rock); },
+      [&](std::uint64_t rock) { return tables.has_path(rock); }, passes);
+  const RockTest& wants = chosen.wants();
   DrawnPaths paths;
   paths.rocks = end_points(folder, facts, wants);
-  paths.rocks.total = total;
+  paths.rocks.total = chosen.total();
 
   const auto refuse = [&] {
     return BadInput(Problem{.file = (folder / PathEventRow::file_name).string(),

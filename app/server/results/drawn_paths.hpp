@@ -23,9 +23,9 @@ struct DrawnPaths {
   std::vector<std::uint8_t> states;
 };
 
-/// `rocks` paths of a finished run, evenly spread over those in its table, whose number is `DrawnPaths::rocks.total`.
-/// `model`: for the heights; may be null. Throws BadInput if a table is damaged.
+/// `rocks` paths of a finished run, evenly spread over those in its table that pass the test (empty: all), whose number
+/// is `DrawnPaths::rocks.total`. `model`: for the heights; may be null. Throws BadInput if a table is damaged.
 [[nodiscard]] DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
-                                     const Model* model);
+                                     const Model* model, const RockTest& passes = {});
 
 }  // namespace talus::server

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 
 #include "talus/archive/run_folder.hpp"
 #include "talus/archive/table_columns.hpp"
@@ -65,12 +66,35 @@ EndPoints end_points(const fs::path& folder, const RunFacts& facts, const std::f
   return ends;
 }
 
-EndPoints end_points(const fs::path& folder, const RunFacts& facts, std::uint64_t rocks) {
-  const std::uint64_t total = facts.in_tables.endpoints_before(facts.summary.rocks.done);
-  const EvenChoice chosen(rocks, total);
-  EndPoints ends = end_points(
-      folder, facts, [&](std::uint64_t rock) { return chosen.contains(facts.in_tables.endpoints_before(rock)); });
-  ends.total = total;
+ChosenRocks::ChosenRocks(std::uint64_t wanted, std::uint64_t done,
+                         const std::function<std::uint64_t(std::uint64_t)>& before, const RockTest& has,
+                         const RockTest& passes) {
+  if (!passes) {
+    total_ = before(done);
+    const EvenChoice chosen(wanted, total_);
+    wants_ = [=](std::uint64_t rock) { return has(rock) && chosen.contains(before(rock)); };
+    return;
+  }
+  const auto passing = std::make_shared<std::vector<std::uint64_t>>();
+  for (std::uint64_t rock = 0; rock < done; ++rock) {
+    if (passes(rock) && has(rock)) passing->push_back(rock);
+  }
+  total_ = passing->size();
+  const EvenChoice chosen(wanted, total_);
+  wants_ = [=](std::uint64_t rock) {
+    const auto found = std::ranges::lower_bound(*passing, rock);
+    return found != passing->end() && *found == rock &&
+           chosen.contains(static_cast<std::uint64_t>(found - passing->begin()));
+  };
+}
+
+EndPoints end_points(const fs::path& folder, const RunFacts& facts, std::uint64_t rocks, const RockTest& passes) {
+  const TableRocks& tables = facts.in_tables;
+  const ChosenRocks chosen(
+      rocks, facts.summary.rocks.done, [&](std::uint64_t rock) { return tables.endpoints_before(rock); },
+      [&](std::uint64_t rock) { return tables.has_endpoint(rock); }, passes);
+  EndPoints ends = end_points(folder, facts, chosen.wants());
+  ends.total = chosen.total();
   return ends;
 }
 

@@ -31,8 +31,26 @@ struct EndPoints {
   std::vector<std::string> barrier_names;
 };
 
-/// `rocks` rocks of a finished run, evenly spread over those in its table. Throws BadInput if a table is damaged.
-[[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks);
+using RockTest = std::function<bool(std::uint64_t rock)>;
+
+/// `rocks` rocks of a finished run, evenly spread over those in its table that pass the test (empty: all). Throws
+/// BadInput if a table is damaged.
+[[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
+                                   const RockTest& passes = {});
+
+/// `wanted` of the rocks that are in a table and pass a test (empty: all), evenly spread.
+class ChosenRocks {
+ public:
+  /// `before(rock)`: how many rocks below this number are in the table; `has(rock)`: whether this one is.
+  ChosenRocks(std::uint64_t wanted, std::uint64_t done, const std::function<std::uint64_t(std::uint64_t)>& before,
+              const RockTest& has, const RockTest& passes);
+  [[nodiscard]] std::uint64_t total() const { return total_; }
+  [[nodiscard]] const RockTest& wants() const { return wants_; }
+
+ private:
+  std::uint64_t total_ = 0;
+  RockTest wants_;
+};
 
 /// The rocks for which `wants` is true; it is called in ascending order.
 [[nodiscard]] EndPoints end_points(const std::filesystem::path& folder, const RunFacts& facts,

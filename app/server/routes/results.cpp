@@ -96,10 +96,11 @@ void add_file_result_routes(Router& router, RunStore& runs) {
   });
 }
 
-void add_result_routes(Router& router, RunStore& runs, RunModels& models) {
+void add_result_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked) {
   add_file_result_routes(router, runs);
-  add_rock_routes(router, runs, models);
-  add_statistics_routes(router, runs);
+  add_rock_routes(router, runs, models, asked);
+  add_statistics_routes(router, runs, asked);
+  add_line_routes(router, runs, asked);
   add_map_routes(router, runs);
 }
 

@@ -49,19 +49,28 @@ void add_rocks(Arrays& arrays, const EndPoints& rocks) {
   add(arrays, "barriers", rocks.barriers);
 }
 
+/// The place of release of each rock.
+std::vector<std::uint32_t> releases_of(const EndPoints& rocks, const ReleaseSpots& spots) {
+  std::vector<std::uint32_t> releases;
+  for (const std::uint32_t rock : rocks.rocks) releases.push_back(static_cast<std::uint32_t>(spots.of_rock(rock)));
+  return releases;
+}
+
 }  // namespace
 
-void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
+void add_rock_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked) {
   router.get(one_run + "/paths", [&](const Call& call) {
     const std::uint64_t wanted = call.query_number("rocks", 10'000, 100'000);
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
     const auto built = models.find(run);
-    const DrawnPaths paths = drawn_paths(folder, read_facts(run), wanted, built ? &built->model : nullptr);
+    const DrawnPaths paths =
+        drawn_paths(folder, read_facts(run), wanted, built ? &built->model : nullptr, rocks_passing(call, run, asked));
     Json header = head(paths.rocks);
     header["states"] = state_names();
     Arrays arrays(std::move(header));
     add_rocks(arrays, paths.rocks);
+    if (built) add(arrays, "releases", releases_of(paths.rocks, *asked.releases(run)));
     add(arrays, "starts", paths.starts);
     add(arrays, "times", paths.times);
     add(arrays, "positions", paths.positions);
@@ -71,13 +80,15 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models) {
     add(arrays, "states", paths.states);
     return arrays.answer();
   });
-  router.get(one_run + "/endpoints", [&runs](const Call& call) {
+  router.get(one_run + "/endpoints", [&](const Call& call) {
     const std::uint64_t wanted = call.query_number("rocks", 100'000, 1'000'000);
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
-    const EndPoints rocks = end_points(folder, read_facts(run), wanted);
+    const EndPoints rocks = end_points(folder, read_facts(run), wanted, rocks_passing(call, run, asked));
+    const auto built = models.find(run);
     Arrays arrays(head(rocks));
     add_rocks(arrays, rocks);
+    if (built) add(arrays, "releases", releases_of(rocks, *asked.releases(run)));
     add(arrays, "positions", rocks.positions);
     return arrays.answer();
   });

@@ -143,13 +143,14 @@ Json barrier_json(const BarrierFacts& barrier, const RunSummary& summary) {
 
 }  // namespace
 
-void add_statistics_routes(Router& router, RunStore& runs) {
-  router.get(one_run + "/statistics", [&runs](const Call& call) {
+void add_statistics_routes(Router& router, RunStore& runs, AskedRuns& asked) {
+  router.get(one_run + "/statistics", [&](const Call& call) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
     const NumberColumn& column = column_in(call, endpoint_numbers());
     const RunFacts facts = read_facts(run);
-    const RockFilter filter = filter_in(call, {&facts});
+    RockFilter filter = filter_in(call, {&facts});
+    filter.passes = rocks_passing(call, run, asked);
     const Tally tally = endpoint_statistics(folder, facts, column.name, filter);
     return json_answer(statistics_answer(tally, column, tally.histogram(histogram_bins), sample_json(facts)));
   });
@@ -174,7 +175,7 @@ void add_statistics_routes(Router& router, RunStore& runs) {
     for (const BarrierFacts& barrier : facts.barriers) list.push_back(barrier_json(barrier, facts.summary));
     return json_answer({{"barriers", std::move(list)}});
   });
-  router.get(one_run + "/barriers/([0-9]{1,9})/statistics", [&runs](const Call& call) {
+  router.get(one_run + "/barriers/([0-9]{1,9})/statistics", [&](const Call& call) {
     const Run run = runs.find(call.part(1));
     const auto folder = results_folder(run);
     const RunFacts facts = read_facts(run);
@@ -183,7 +184,8 @@ void add_statistics_routes(Router& router, RunStore& runs) {
       throw Refusal(404, call.part(2), "there is no such barrier",
                     fmt::format("this run has {}, numbered from 0", facts.barriers.size()));
     const NumberColumn& column = column_in(call, barrier_numbers());
-    const RockFilter filter = filter_in(call, {&facts});
+    RockFilter filter = filter_in(call, {&facts});
+    filter.passes = rocks_passing(call, run, asked);
     const Tally tally = barrier_statistics(folder, facts, facts.barriers[number].name, column.name, filter);
     Json answer = statistics_answer(tally, column, tally.histogram(histogram_bins),
                                     filter.is_empty() ? Json() : sample_json(facts));

@@ -10,6 +10,7 @@
 
 namespace talus::server {
 
+class AskedRuns;
 class EventHub;
 class RunModels;
 class RunStore;
@@ -28,7 +29,7 @@ void add_calibration_routes(Router& router, RunStore& runs);
 /// Observed blocks and marks beside a model and beside a run.
 void add_observation_routes(Router& router, const Workplace& workplace, const ModelShelf& shelf, RunStore& runs,
                             ModelReading& reading);
-void add_result_routes(Router& router, RunStore& runs, RunModels& models);
+void add_result_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked);
 void add_model_tile_routes(Router& router, const ModelShelf& shelf);
 void add_model_query_routes(Router& router, const ModelShelf& shelf);
 /// Lines and areas from vector files, in the coordinates of a model.

@@ -80,7 +80,8 @@ void for_rocks(const std::filesystem::path& folder, const RunFacts& facts, const
   const bool asks_for_energy = filter.least_energy_J || filter.most_energy_J;
   while (row.next()) {
     const std::uint64_t rock = row.get<&R::rock>();
-    if (!hitting.contain(rock) || !is_one_of(filter.end_reasons, name(row.get<&R::end_reason>())) ||
+    if (!hitting.contain(rock) || (filter.passes && !filter.passes(rock)) ||
+        !is_one_of(filter.end_reasons, name(row.get<&R::end_reason>())) ||
         !is_one_of(filter.seeders, row.get<&R::seeder>()) ||
         (!filter.sources.empty() && !is_one_of(filter.sources, facts.source_of(rock))))
       continue;
@@ -117,7 +118,7 @@ class NumberOfHit {
 
 bool RockFilter::is_empty() const {
   return end_reasons.empty() && seeders.empty() && sources.empty() && barriers.empty() && !least_energy_J &&
-         !most_energy_J;
+         !most_energy_J && !passes;
 }
 
 const std::vector<NumberColumn>& endpoint_numbers() {

@@ -1,7 +1,9 @@
 #pragma once
 // Statistics of one column of a run's table over a selection of its rocks.
 
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +19,7 @@ struct RockFilter {
   std::vector<std::string> end_reasons, seeders, sources;
   std::vector<std::string> barriers;                    // hit by the rock
   std::optional<double> least_energy_J, most_energy_J;  // limits of the maximum total kinetic energy
+  std::function<bool(std::uint64_t rock)> passes;       // by the rock's number; empty: all
 
   [[nodiscard]] bool is_empty() const;
 };

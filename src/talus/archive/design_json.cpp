@@ -24,20 +24,6 @@ std::optional<double> optional_number(const Json& json) {
   return json.is_null() ? std::nullopt : std::optional(json.get<double>());
 }
 
-Json factors_json(const CheckFactors& factors) {
-  return {{"velocity", factors.velocity},
-          {"height", factors.height},
-          {"mass", factors.mass},
-          {"energy", factors.energy},
-          {"capacity", factors.capacity},
-          {"elongation", optional_json(factors.elongation)},
-          {"clearance_m", factors.clearance},
-          {"clears_half_the_block", factors.clears_half_the_block},
-          {"of_total_energy", factors.takes_total_energy},
-          {"level", factors.level == KitLevel::service ? "SEL" : "MEL"},
-          {"block_mass_kg", optional_json(factors.block_mass)}};
-}
-
 CheckFactors factors_from(const Json& json) {
   CheckFactors factors;
   json.at("velocity").get_to(factors.velocity);
@@ -162,6 +148,20 @@ bool pairs_are_possible(const DesignPlan& plan) {
 
 }  // namespace
 
+Json factors_json(const CheckFactors& factors) {
+  return {{"velocity", factors.velocity},
+          {"height", factors.height},
+          {"mass", factors.mass},
+          {"energy", factors.energy},
+          {"capacity", factors.capacity},
+          {"elongation", optional_json(factors.elongation)},
+          {"clearance_m", factors.clearance},
+          {"clears_half_the_block", factors.clears_half_the_block},
+          {"of_total_energy", factors.takes_total_energy},
+          {"level", factors.level == KitLevel::service ? "SEL" : "MEL"},
+          {"block_mass_kg", optional_json(factors.block_mass)}};
+}
+
 Json plan_json(const DesignPlan& plan) {
   Json lines = Json::array();
   for (const DesignLine& line : plan.lines) {
@@ -238,12 +238,12 @@ DesignPlan plan_from(const Json& json, std::size_t barriers) {
   return plan;
 }
 
-namespace {
-
 Json share_json(const std::optional<RockShare>& share) {
   if (!share) return nullptr;
   return {{"value", share->value}, {"low", share->low}, {"high", share->high}};
 }
+
+namespace {
 
 Json demand_json(const std::optional<KitDemand>& demand) {
   if (!demand) return nullptr;
@@ -259,27 +259,6 @@ Json percentiles_json(const DesignPlan& plan, const std::vector<Estimate>& estim
                                                     optional_json(estimate.high)};
   }
   return json;
-}
-
-Json figures_json(const DesignPlan& plan, const DesignFigures& figures) {
-  Json percentiles;
-  for (std::size_t k = 0; k < shown_quantity_count; ++k)
-    percentiles[key_of(design_quantities[k])] = percentiles_json(plan, figures.percentiles[k]);
-  return {{"from_m", figures.from},
-          {"to_m", figures.to},
-          {"rocks", figures.rocks},
-          {"share", share_json(figures.share)},
-          {"percentiles", std::move(percentiles)},
-          {"needs", demand_json(figures.demand)},
-          {"needs_at_upper_end", demand_json(figures.demand_at_upper_end)},
-          {"lateral", optional_json(figures.lateral)},
-          {"clearance_m", optional_json(figures.clearance)},
-          {"most_elongation_m", optional_json(figures.most_elongation)}};
-}
-
-/// 4501 as 4,501.
-std::string grouped(std::uint64_t count) {
-  return count < 1000 ? fmt::format("{}", count) : fmt::format("{},{:03}", grouped(count / 1000), count % 1000);
 }
 
 const char* limit_name(KitLimit limit) {
@@ -349,6 +328,26 @@ Json pair_json(const DesignPlan& plan, const PairChoice& choice) {
 }
 
 }  // namespace
+
+std::string grouped(std::uint64_t count) {
+  return count < 1000 ? fmt::format("{}", count) : fmt::format("{},{:03}", grouped(count / 1000), count % 1000);
+}
+
+Json figures_json(const DesignPlan& plan, const DesignFigures& figures) {
+  Json percentiles;
+  for (std::size_t k = 0; k < shown_quantity_count; ++k)
+    percentiles[key_of(design_quantities[k])] = percentiles_json(plan, figures.percentiles[k]);
+  return {{"from_m", figures.from},
+          {"to_m", figures.to},
+          {"rocks", figures.rocks},
+          {"share", share_json(figures.share)},
+          {"percentiles", std::move(percentiles)},
+          {"needs", demand_json(figures.demand)},
+          {"needs_at_upper_end", demand_json(figures.demand_at_upper_end)},
+          {"lateral", optional_json(figures.lateral)},
+          {"clearance_m", optional_json(figures.clearance)},
+          {"most_elongation_m", optional_json(figures.most_elongation)}};
+}
 
 std::string limit_text(const DesignPlan& plan, const KitChoice& kit) {
   const auto of_all = [&](std::uint64_t rocks) {

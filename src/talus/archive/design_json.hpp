@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "talus/results/design_result.hpp"
@@ -16,6 +18,16 @@ namespace talus {
 
 /// Why a kit does not catch enough rocks, and what helps; empty if it does.
 [[nodiscard]] std::string limit_text(const DesignPlan& plan, const KitChoice& kit);
+
+/// 4501 as "4,501".
+[[nodiscard]] std::string grouped(std::uint64_t count);
+
+/// The factors of the check.
+[[nodiscard]] nlohmann::ordered_json factors_json(const CheckFactors& factors);
+/// `value`, `low` and `high`; null without rocks.
+[[nodiscard]] nlohmann::ordered_json share_json(const std::optional<RockShare>& share);
+/// The figures of a line or of a section of it.
+[[nodiscard]] nlohmann::ordered_json figures_json(const DesignPlan& plan, const DesignFigures& figures);
 
 /// The value of the key `design` of summary.json.
 [[nodiscard]] nlohmann::ordered_json design_json(const DesignPlan& plan, const DesignResult& result);

@@ -4,40 +4,13 @@
 #include <array>
 #include <variant>
 
+#include "talus/campaign/own_section.hpp"
 #include "talus/campaign/rock_release.hpp"
 #include "talus/trajectory/rock_run.hpp"
 
 namespace talus {
 
 namespace {
-
-/// The section of one rock, if vertices vary from rock to rock, and the barriers on it.
-class OwnSection {
- public:
-  explicit OwnSection(const Model& model)
-      : section_(*model.varying), profile_(section_.vertices), barriers_(model.barriers) {}
-  void move_for(const Model& model, std::uint64_t rock) {
-    const Draws draws({model.seed, model.sampling, 0, model.rocks()}, rock);
-    vertices_.clear();
-    for (std::uint32_t k = 0; k < section_.vertices.size(); ++k) {
-      const auto u = draws.pair(Stream::slope_vertex, k);
-      const auto& shift = section_.shifts[k];
-      vertices_.push_back(section_.vertices[k] + Vec2(shift[0].draw(u[0]), shift[1].draw(u[1])));
-    }
-    profile_.move_vertices(vertices_);
-    for (Barrier& barrier : barriers_) {
-      if (const auto z = profile_.elevation(barrier.panels().front().foot.x())) barrier.move_foot_to(*z);
-    }
-  }
-  [[nodiscard]] const Profile& profile() const { return profile_; }
-  [[nodiscard]] std::span<const Barrier> barriers() const { return barriers_; }  // unchanged on plan
-
- private:
-  const VaryingSection& section_;
-  Profile profile_;
-  std::vector<Barrier> barriers_;
-  std::vector<Vec2> vertices_;
-};
 
 /// A rock in progress, and everything that its run refers to.
 template <class Surface>
@@ -55,7 +28,7 @@ class RockInProgress {
     draws_.emplace(SamplingPlan{model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
     if constexpr (std::is_same_v<Surface, Profile>) {
       if (model.varying) {
-        if (section_of_ != &model) section_.emplace(model);  // the barriers of ensembles differ
+        if (section_of_ != &model) section_.emplace(model, model.barriers);  // the barriers of ensembles differ
         section_of_ = &model;
         section_->move_for(model, rock);
         start(model, section_->profile(), {section_->barriers(), on_plan}, seeder);

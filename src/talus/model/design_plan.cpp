@@ -21,6 +21,8 @@ std::vector<double> sorted_unique(std::vector<double> values, double unit) {
   return values;
 }
 
+}  // namespace
+
 DesignLine line_along(const talus::Barrier& barrier, std::uint32_t number, double section_m, bool in_section) {
   DesignLine line{.name = barrier.name, .barrier = number};
   if (in_section || barrier.panels().empty()) return line;
@@ -34,8 +36,6 @@ DesignLine line_along(const talus::Barrier& barrier, std::uint32_t number, doubl
   line.sections = static_cast<std::uint32_t>(std::clamp(sections, 1.0, double{DesignPlan::most_sections}));
   return line;
 }
-
-}  // namespace
 
 namespace {
 
@@ -86,11 +86,11 @@ void add_clearances(DesignLine& line, const Design& design, const std::vector<ta
   }
 }
 
-void add_kits(const Project& project, DesignPlan& plan) {
+void add_kits(const std::vector<Kit>& kits, DesignPlan& plan) {
   const bool is_service = plan.factors.level == KitLevel::service;
   constexpr double kJ = 1000;
   std::vector<double> heights, energies;
-  for (const Kit& given : project.kits) {
+  for (const Kit& given : kits) {
     DesignKit& kit = plan.kits.emplace_back();
     kit.name = given.name;
     kit.heights = sorted_unique(given.heights_m, 1);
@@ -132,9 +132,35 @@ void add_pairs(const Model& model, DesignPlan& plan) {
 
 }  // namespace
 
+DesignBasis design_basis(const Project& project) {
+  DesignBasis basis{project.design.value_or(Design{}), {}, project.kits};
+  basis.factors = factor_set_of(basis.design, project.file.parent_path());
+  return basis;
+}
+
+DesignPlan design_check(const DesignBasis& basis) {
+  const Design& design = basis.design;
+  DesignPlan plan;
+  plan.confidence = design.confidence;
+  plan.percentiles = design.percentiles;
+  plan.design_percentile = design.design_percentile.value_or(plan.design_percentile);
+  plan.factors.takes_total_energy = design.energy == DesignEnergy::total;
+  plan.factors.block_mass = design.block_mass_kg;
+  if (basis.factors) apply_set(*basis.factors, design, plan);
+  plan.heights = sorted_unique(design.heights_m, 1);
+  plan.energies = sorted_unique(design.energies_kJ, 1000);
+  if (plan.factors.level == KitLevel::service) {
+    std::erase_if(plan.energies, [](double energy) { return energy < least_energy_with_service; });
+  }
+  if (!basis.kits.empty()) add_kits(basis.kits, plan);
+  plan.catch_share = design.catch_share;
+  plan.cost = {design.cost_height_exponent, design.cost_energy_exponent};
+  return plan;
+}
+
 DesignPlan design_plan(const Project& project, const Model& model) {
   const Design& design = *project.design;
-  DesignPlan plan;
+  DesignPlan plan = design_check(design_basis(project));
   const bool in_section = std::holds_alternative<Profile>(model.surface);
   const auto number_of = [&](const std::string& name) {
     const auto found = std::ranges::find(model.barriers, name, &talus::Barrier::name);
@@ -150,21 +176,7 @@ DesignPlan design_plan(const Project& project, const Model& model) {
   if (!design.protect.empty()) plan.protect = number_of(design.protect);
   for (DesignLine& line : plan.lines) add_clearances(line, design, model.barriers, plan.protect);
   if (!in_section) plan.free_end = design.free_end_m;
-  plan.confidence = design.confidence;
-  plan.percentiles = design.percentiles;
-  plan.design_percentile = design.design_percentile.value_or(plan.design_percentile);
-  plan.factors.takes_total_energy = design.energy == DesignEnergy::total;
-  plan.factors.block_mass = design.block_mass_kg;
-  if (const auto set = factor_set_of(project)) apply_set(*set, design, plan);
-  plan.heights = sorted_unique(design.heights_m, 1);
-  plan.energies = sorted_unique(design.energies_kJ, 1000);
-  if (plan.factors.level == KitLevel::service) {
-    std::erase_if(plan.energies, [](double energy) { return energy < least_energy_with_service; });
-  }
-  if (!project.kits.empty()) add_kits(project, plan);
   if (design.pairs) add_pairs(model, plan);
-  plan.catch_share = design.catch_share;
-  plan.cost = {design.cost_height_exponent, design.cost_energy_exponent};
   return plan;
 }
 

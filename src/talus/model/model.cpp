@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "talus/ground/forest.hpp"
+#include "talus/model/build_barrier.hpp"
 #include "talus/model/build_ensembles.hpp"
 #include "talus/model/build_ground.hpp"
 #include "talus/model/build_seeders.hpp"
@@ -54,7 +55,8 @@ std::vector<talus::Material> materials_of(const Project& project) {
 }
 
 ImpactLaw impact_law_of(const Analysis& a) {
-  if (a.model == RockModel::rigid_sphere) return RigidSphereImpact{a.tangential_crsp_damping, a.rolling_resistance_in_impacts};
+  if (a.model == RockModel::rigid_sphere)
+    return RigidSphereImpact{a.tangential_crsp_damping, a.rolling_resistance_in_impacts};
   if (a.rotation) return CrspLaw{};
   return PlainImpact{};
 }
@@ -91,23 +93,6 @@ TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
 }
 
 double capacity_of(const Barrier& barrier) { return barrier.capacity_kJ * 1000; }  // [J]
-
-/// A line on plan, projected onto the ground.
-struct Foot {
-  std::vector<Vec3> points;
-  std::vector<double> stations;     // of each point along the given line, on plan [m]
-  double given = 0, on_ground = 0;  // lengths of the line and of its part over ground, on plan [m]
-};
-
-/// Panels over a foot, with stations along the given line (including parts off the terrain).
-std::vector<Panel> panels_along(const Foot& foot, double height, double inclination) {
-  std::vector<Panel> panels = panels_over(foot.points, height, inclination);
-  for (std::size_t k = 0; k < panels.size() && k + 1 < foot.stations.size(); ++k) {
-    panels[k].station = foot.stations[k];
-    panels[k].plan_length = foot.stations[k + 1] - foot.stations[k];
-  }
-  return panels;
-}
 
 RunoutFrame runout_frame_of(const Output& output, const LocalFrame& frame) {
   const auto local = [&](const std::array<double, 2>& p) -> Vec2 {
@@ -171,12 +156,11 @@ class Builder {
     if (b.normal_restitution && b.tangential_restitution) {
       barrier.restitution = Restitution{*b.normal_restitution, *b.tangential_restitution};
     }
-    const Foot foot = foot_of(b);
+    const BarrierFoot foot = foot_of(model_, b.line);
     barrier.set_panels(panels_along(foot, b.height_m, b.inclination_deg * radians));
-    constexpr double shortest = 1e-5;  // [m]
-    if (foot.given > 0 && foot.given < shortest) {
+    if (foot.given > 0 && foot.given < shortest_line) {
       report(b.source_line, name_in_messages(b), fmt::format("its line is {:.3g} m long", foot.given),
-             fmt::format("expected at least {:g} m", shortest), "");
+             fmt::format("expected at least {:g} m", shortest_line), "");
     } else if (barrier.panels().empty()) {
       report(b.source_line, name_in_messages(b), "its line does not touch the terrain",
              "a barrier stands on the ground", is_on_ground_swapped(b) ? swapped_hint : "");
@@ -195,10 +179,10 @@ class Builder {
   [[nodiscard]] bool is_on_ground_swapped(const Barrier& b) const {
     if (std::holds_alternative<Profile>(model_.surface)) return false;
     const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
-    return std::ranges::any_of(b.line, [&](const auto& p) { return is_ground(Vec2(p[1], p[0]) - origin); });
+    return std::ranges::any_of(b.line, [&](const auto& p) { return has_ground_at(model_, Vec2(p[1], p[0]) - origin); });
   }
 
-  void warn_of_gaps(const Barrier& b, const Foot& foot) {
+  void warn_of_gaps(const Barrier& b, const BarrierFoot& foot) {
     constexpr double by_rounding = 1e-3;  // [m]
     const double off = foot.given - foot.on_ground;
     if (off <= by_rounding) return;
@@ -216,43 +200,6 @@ class Builder {
     if (x >= certain.from && x <= certain.to) return;
     report(b.source_line, name_in_messages(b), fmt::format("x = {:.10g} may be off the terrain", x),
            why_uncertain(certain), "Move it inwards, or reduce the standard deviations in x of the end vertices");
-  }
-
-  [[nodiscard]] bool is_ground(const Vec2& at) const {
-    return visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); });
-  }
-
-  /// The barrier's line projected onto the ground. In 2D it runs along y, across the section.
-  Foot foot_of(const Barrier& b) const {
-    Foot foot;
-    if (const auto* profile = std::get_if<Profile>(&model_.surface)) {
-      const double x = b.line.front()[0] - model_.frame.origin.x();
-      if (const auto z = profile->elevation(x)) foot.points = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
-      return foot;
-    }
-    const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
-    const auto drape = [&](const Vec2& from, const Vec2& to) {
-      if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) return raster->draped(from, to);
-      return std::get<TriangleMesh>(model_.surface).draped(from, to);
-    };
-    for (std::size_t k = 0; k + 1 < b.line.size(); ++k) {
-      const Vec2 from = Vec2(b.line[k][0], b.line[k][1]) - origin;
-      const Vec2 to = Vec2(b.line[k + 1][0], b.line[k + 1][1]) - origin;
-      const std::vector<Vec3> draped = drape(from, to);
-      for (std::size_t i = 0; i < draped.size(); ++i) {
-        const Vec3& p = draped[i];
-        // There is a point wherever the ground bends, so between two points there is either ground throughout or none.
-        if (i > 0) {
-          const Vec2 piece = (p - draped[i - 1]).head<2>();
-          if (is_ground(draped[i - 1].head<2>() + 0.5 * piece)) foot.on_ground += piece.norm();
-        }
-        if (!foot.points.empty() && (p - foot.points.back()).squaredNorm() < 1e-12) continue;
-        foot.points.push_back(p);
-        foot.stations.push_back(foot.given + (p.head<2>() - from).norm());
-      }
-      foot.given += (to - from).norm();
-    }
-    return foot;
   }
 
   const Project& project_;

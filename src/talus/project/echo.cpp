@@ -170,4 +170,31 @@ Json without_title_block(const Json& echo) {
   return rest;
 }
 
+namespace {
+
+/// JSON as inline TOML.
+std::string as_toml(const Json& value) {
+  std::string out;
+  if (value == "inf") return "inf";
+  if (value.is_object()) {
+    for (const auto& [key, item] : value.items()) {
+      out += (out.empty() ? "" : ", ") + Json(key).dump() + " = " + as_toml(item);
+    }
+    return "{ " + out + " }";
+  }
+  if (value.is_array()) {
+    for (const auto& item : value) out += (out.empty() ? "" : ", ") + as_toml(item);
+    return '[' + out + ']';
+  }
+  return value.dump();
+}
+
+}  // namespace
+
+std::string text_of_echo(const Json& echoed) {
+  std::string out;
+  for (const auto& [key, value] : echoed.items()) out += key + " = " + as_toml(value) + '\n';
+  return out;
+}
+
 }  // namespace talus::project

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "talus/project/project.hpp"
 #include "talus/project/settings.hpp"
@@ -15,6 +16,9 @@ namespace talus::project {
 
 /// An echo without [report], which changes no result.
 [[nodiscard]] nlohmann::ordered_json without_title_block(const nlohmann::ordered_json& echo);
+
+/// An echoed project as the text of a file, which reads back as the same project.
+[[nodiscard]] std::string text_of_echo(const nlohmann::ordered_json& echoed);
 
 /// The value of one member; nullopt if it is not set. In 2D, positions have no y.
 [[nodiscard]] std::optional<nlohmann::ordered_json> written(const Slot& slot, bool two_dimensional);

@@ -147,10 +147,12 @@ FactorSet read_factor_set(const Document& document) {
 }
 
 std::optional<FactorSet> factor_set_of(const Project& project) {
-  if (!project.design) return std::nullopt;
-  const Design& design = *project.design;
+  return project.design ? factor_set_of(*project.design, project.file.parent_path()) : std::nullopt;
+}
+
+std::optional<FactorSet> factor_set_of(const Design& design, const std::filesystem::path& folder) {
   if (!design.standard_file.empty()) {
-    const std::filesystem::path file = project.file.parent_path() / design.standard_file;
+    const std::filesystem::path file = folder / design.standard_file;
     return read_factor_set(Document(text_of_file(file), file.string()));
   }
   if (design.standard == DesignStandard::none) return std::nullopt;

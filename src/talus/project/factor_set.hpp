@@ -87,6 +87,8 @@ struct StandardFile {
 /// The set that a project is checked by; nullopt if it has no [design], or with `standard = "none"`. Throws BadInput if
 /// its file cannot be read or is not such a set.
 [[nodiscard]] std::optional<FactorSet> factor_set_of(const Project& project);
+/// Of [design] in a project of this folder.
+[[nodiscard]] std::optional<FactorSet> factor_set_of(const Design& design, const std::filesystem::path& folder);
 
 /// The values of a factor in the project and in the set; nullopt: neither gives it.
 [[nodiscard]] std::optional<double> value_of(const Factor& factor, const Design& design);

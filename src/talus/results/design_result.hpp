@@ -18,6 +18,9 @@ struct RockShare {
   double value = 0, low = 0, high = 0;
 };
 
+/// Nullopt without any rocks.
+[[nodiscard]] std::optional<RockShare> share_of(std::uint64_t rocks, std::uint64_t all, double confidence);
+
 /// A kit that the check asks for.
 struct KitDemand {
   double maximum_energy = 0;  // MEL [J]

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
-#include <span>
 #include <utility>
 
 namespace talus {
@@ -118,36 +116,6 @@ void DesignTally::merge_saved(ByteReader& in) {
   }
 }
 
-namespace {
-
-/// A rock's first crossing of a barrier or collector.
-struct FirstCrossing {
-  const Motion* motion = nullptr;
-  double height = 0, station = 0;
-};
-
-std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier) {
-  std::optional<FirstCrossing> first;
-  const auto consider = [&](const auto& crossings) {
-    for (const auto& crossing : crossings) {
-      if (crossing.barrier.index != barrier) continue;
-      if (!first || crossing.motion.time < first->motion->time) {
-        first = FirstCrossing{&crossing.motion, crossing.height, crossing.station};
-      }
-    }
-  };
-  consider(log.hits);
-  consider(log.passed_above);
-  return first;
-}
-
-/// Index of the first of the ascending values that is at least `needed`; their number if none is.
-std::size_t first_sufficient(const std::vector<double>& rising, double needed) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(rising, needed) - rising.begin());
-}
-
-}  // namespace
-
 /// Crossings of a block of rocks: a few numbers per rock, added when the block is committed.
 class DesignObserver::Part : public ObserverPart {
  public:
@@ -167,18 +135,18 @@ class DesignObserver::Part : public ObserverPart {
       if (counts && !is_met) ++beside[k];
       at_lines_[k] = {};
       if (!crossing) continue;
-      add(k, record.body, *crossing, counts && is_met);
+      crossings.push_back({k, counts && is_met, line_crossing(plan_, line, record.body, *crossing)});
       at_lines_[k].time = crossing->motion->time;
-      if (is_met) at_lines_[k].kit = tally_.lines[k].demands.number(crossings.back().height, crossings.back().energy);
+      if (is_met)
+        at_lines_[k].kit = tally_.lines[k].demands.number(crossings.back().at.height, crossings.back().at.energy);
     }
     for (std::uint32_t k = 0; k < plan_.pairs.size(); ++k) add_pair(k, reached.has_value());
   }
 
   struct Crossing {
-    std::uint32_t line, section;
-    std::array<double, crossing_quantity_count> values;
+    std::uint32_t line;
     bool counts;
-    std::uint32_t height, energy;  // indices of the required kit
+    LineCrossing at;
   };
   struct PairCrossing {
     std::uint32_t pair;
@@ -191,24 +159,6 @@ class DesignObserver::Part : public ObserverPart {
   std::vector<std::uint64_t> beside;  // of each line
 
  private:
-  void add(std::uint32_t line, const Rock& rock, const FirstCrossing& crossing, bool counts) {
-    const double velocity = crossing.motion->velocity.norm();
-    const double translational = 0.5 * rock.mass * velocity * velocity;
-    const double total = translational + 0.5 * rock.inertia * crossing.motion->spin.squaredNorm();
-    const double energy = energy_to_check(plan_.factors, translational, total, velocity);
-    constexpr double by_rounding = 1e-6;  // height of a rock that rolls on the ground [m]
-    const double height = crossing.height > by_rounding ? crossing.height : 0;
-    const double radius = radius_to_check(plan_.factors, rock.mass, rock.radius);
-    const double lateral = plan_.lines[line].lateral_of(crossing.station, crossing.motion->velocity);
-    crossings.push_back(
-        {line,
-         plan_.lines[line].section_at(crossing.station),
-         {translational, total, velocity, height, radius, lateral},
-         counts,
-         static_cast<std::uint32_t>(first_sufficient(plan_.heights, needed_height(plan_.factors, height, radius))),
-         static_cast<std::uint32_t>(first_sufficient(plan_.energies, needed_maximum_energy(plan_.factors, energy)))});
-  }
-
   void add_pair(std::uint32_t pair, bool is_reached) {
     const AtLine &one = at_lines_[plan_.pairs[pair].one], &other = at_lines_[plan_.pairs[pair].other];
     if (plan_.protect ? !is_reached : !one.time && !other.time) return;
@@ -241,8 +191,8 @@ void DesignObserver::commit(ObserverPart& part) {
   for (std::size_t k = 0; k < tally_.lines.size(); ++k) tally_.lines[k].beside += seen.beside[k];
   for (const Part::Crossing& crossing : seen.crossings) {
     DesignTally::Line& line = tally_.lines[crossing.line];
-    line.sections[crossing.section].add(crossing.values);
-    if (crossing.counts) line.demands.add(crossing.height, crossing.energy);
+    line.sections[crossing.at.section].add(crossing.at.values);
+    if (crossing.counts) line.demands.add(crossing.at.height, crossing.at.energy);
   }
   for (const Part::PairCrossing& crossing : seen.pair_crossings) {
     PairCounts& pair = tally_.pairs[crossing.pair];

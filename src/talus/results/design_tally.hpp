@@ -6,24 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include "talus/results/design_plan.hpp"
+#include "talus/results/line_crossing.hpp"
 #include "talus/results/record.hpp"
 #include "talus/statistics/quantile_sketch.hpp"
 
 namespace talus {
-
-/// Quantities of a rock at the place where it crosses a line.
-enum class CrossingQuantity : std::uint32_t {
-  energy_translational,
-  energy_total,
-  velocity,
-  height,
-  radius,
-  lateral
-};  // [J] [m/s] [m]; lateral: metres along the line per metre across it, on plan
-inline constexpr std::size_t crossing_quantity_count = 6;
-/// The first ones have percentiles in the results.
-inline constexpr std::size_t shown_quantity_count = 4;
 
 /// One value of each quantity per rock.
 struct SectionTally {

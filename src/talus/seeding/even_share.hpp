@@ -13,4 +13,10 @@ namespace talus {
   return static_cast<std::size_t>(Wide{k} * places / n);
 }
 
+/// The first of the n rocks at a place, or at the next one that has any; n for the number of places.
+[[nodiscard]] inline std::uint64_t first_at_share(std::size_t place, std::uint64_t n, std::size_t places) {
+  __extension__ using Wide = unsigned __int128;
+  return static_cast<std::uint64_t>((Wide{place} * n + places - 1) / places);
+}
+
 }  // namespace talus

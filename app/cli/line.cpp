@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "commands.hpp"
+#include "load.hpp"
+#include "talus/archive/design_json.hpp"
+#include "talus/archive/design_tables.hpp"
+#include "talus/archive/run_summary.hpp"
+#include "talus/campaign/thread_supply.hpp"
+#include "talus/files/output_file.hpp"
+#include "talus/lines/asked_run.hpp"
+#include "talus/lines/line_input.hpp"
+#include "talus/lines/stored_paths.hpp"
+#include "talus/model/fingerprint.hpp"
+#include "talus/model/model.hpp"
+#include "talus/project/echo.hpp"
+#include "talus/project/read.hpp"
+
+namespace talus::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// The project and the model of a finished run, from its summary.
+Loaded load_run(const LineOptions& options) {
+  const fs::path summary = options.folder / "summary.json";
+  const RunIdentity run = read_run_identity(summary);
+  if (run.talus.version != TALUS_VERSION) {
+    throw BadInput(Problem{.file = summary.string(),
+                           .what = "these are the results of another version of talus",
+                           .why = fmt::format("it was {} and is {}", run.talus.version, TALUS_VERSION),
+                           .hint = "Run the project again"});
+  }
+  project::Overrides overrides;
+  for (const std::string& setting : options.design) overrides.settings.push_back("design." + setting);
+  fs::path folder = fs::absolute(options.folder).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // of "out/"
+  const fs::path base = options.files.empty() ? folder.parent_path() : options.files;
+  // By default results are in a folder that has the project's name and is beside it.
+  project::Reading reading = project::read_project_text(project::text_of_echo(*run.project),
+                                                        base / (folder.filename().string() + ".toml"), overrides);
+  Loaded loaded{std::move(reading.project), {}, {}};
+  loaded.model = project::build_model(loaded.project, loaded.warnings);
+  loaded.warnings = {};  // the run has given them
+  if (project::fingerprint_of(*run.project, loaded.model) != run.fingerprint) {
+    throw BadInput(Problem{.file = summary.string(),
+                           .what = "the files of this project have changed since the run",
+                           .why = "the terrain, the ground or the releases are not the same",
+                           .hint = "Run the project again"});
+  }
+  return loaded;
+}
+
+/// "412 kJ (380 to 456 kJ)"
+std::string with_interval(const Json& card, const char* key) {
+  return fmt::format("{} ({})", card.at(key).get<std::string>(),
+                     card.at(fmt::format("{}_interval", key)).get<std::string>());
+}
+
+std::string number_or_blank(const Json& section, const char* quantity, const std::string& percentile, double unit) {
+  const Json& values = section.at("percentiles").at(quantity);
+  return values.contains(percentile) ? three_digits(values.at(percentile).at(0).get<double>() / unit) : "";
+}
+
+void print_sources(const Json& sources, const StoredSources& places, const Model& model) {
+  constexpr std::size_t most = 10;
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  for (std::size_t k = 0; k < sources.at("release").size(); ++k)
+    order.emplace_back(sources.at("crossing")[k].get<std::uint64_t>(), k);
+  std::ranges::stable_sort(order, std::greater<>(), [](const auto& each) { return each.first; });
+  if (order.empty()) return;
+  fmt::print("\nfrom (the {} places of release with the most of them):\n{:>9}  {:<20}{:>14}{:>14}{:>9}{:>10}\n",
+             std::min(most, order.size()), "place", "source", "x [m]", "y [m]", "rocks", "of them");
+  for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
+    const std::size_t k = order[i].second, spot = sources.at("release")[k].get<std::size_t>();
+    const ReleaseSpot& release = places.spots.list()[spot];
+    const Vec3 place = model.frame.global_from_local(release.place);
+    const std::string source =
+        release.source.index < model.sources.size() ? model.sources[release.source.index] : std::string();
+    fmt::print("{:>9}  {:<20}{:>14.2f}{:>14.2f}{:>9}{:>10}\n", spot, source, place.x(), place.y(),
+               sources.at("rocks")[k].get<std::uint64_t>(), order[i].first);
+  }
+}
+
+void print_run(const Json& run) {
+  const auto rocks = run.at("rocks").get<std::uint64_t>(), stored = run.at("stored").get<std::uint64_t>();
+  if (stored < rocks)
+    fmt::print("The trajectories of {} of {} rocks are stored: shares and intervals are of these.\n", grouped(stored),
+               grouped(rocks));
+}
+
+void print_line(const Json& answer, const StoredSources& places, const Model& model) {
+  const Json &whole = answer.at("whole"), &card = answer.at("card");
+  const auto crossing = whole.at("rocks").get<std::uint64_t>();
+  print_run(answer.at("run"));
+  fmt::print("{} of {} rocks cross the line of {:g} m: {}\n", grouped(crossing),
+             grouped(answer.at("run").at("stored").get<std::uint64_t>()), answer.at("length_m").get<double>(),
+             with_interval(card, "share"));
+  if (crossing == 0) {
+    fmt::print("{}\n", answer.at("enough").at("text").get<std::string>());
+    return;
+  }
+  fmt::print("{:g} % of them have at most (confidence {:g} %):\n", answer.at("design_percentile").get<double>(),
+             100 * answer.at("confidence").get<double>());
+  for (const char* key : {"energy", "height", "velocity"}) fmt::print("  {:<10}{}\n", key, with_interval(card, key));
+  if (!answer.at("standard").is_null()) {
+    fmt::print("{} asks for {}\n", answer.at("standard").get<std::string>(), card.at("needs").get<std::string>());
+    const auto cautious = card.at("needs_at_upper_end").get<std::string>();
+    if (!cautious.empty()) fmt::print("  by the upper ends of the intervals: {}\n", cautious);
+  }
+  if (!answer.at("kit").is_null()) fmt::print("{}\n", answer.at("kit").at("text").get<std::string>());
+  if (const auto text = answer.at("enough").at("text").get<std::string>(); !text.empty()) fmt::print("{}\n", text);
+
+  const std::string percentile = fmt::format("{}", answer.at("design_percentile").get<double>());
+  const bool is_known = whole.at("percentiles").at("height_m").contains(percentile);
+  const Json& sections = answer.at("sections");
+  if (sections.size() > 1) {
+    fmt::print("\n{:>8}{:>9}{:>8}{:>13}{:>11}{:>14}{:>12}\n", "from [m]", "to [m]", "rocks", "energy [kJ]",
+               "height [m]", "speed [m/s]", "needs");
+    for (std::size_t s = 0; s < sections.size(); ++s) {
+      const Json& section = sections[s];
+      const bool is_worst = !answer.at("worst").is_null() && answer.at("worst").at("section") == s;
+      const auto cell = [&](const char* quantity, double unit) {
+        return is_known ? number_or_blank(section, quantity, percentile, unit) : "";
+      };
+      const bool takes_total = answer.at("factors").at("of_total_energy").get<bool>();
+      fmt::print(
+          "{:>8.1f}{:>9.1f}{:>8}{:>13}{:>11}{:>14}{:>12}{}\n", section.at("from_m").get<double>(),
+          section.at("to_m").get<double>(), section.at("rocks").get<std::uint64_t>(),
+          cell(takes_total ? "ke_total_J" : "ke_translational_J", 1000), cell("height_m", 1), cell("velocity_m_s", 1),
+          section.at("needs").is_null() ? "" : fmt::format("class {}", section.at("needs").at("class").get<int>()),
+          is_worst ? "  the worst" : "");
+    }
+  }
+  print_sources(answer.at("sources"), places, model);
+}
+
+void print_area(const Json& answer, const StoredSources& places, const Model& model) {
+  print_run(answer.at("run"));
+  const auto count = [&](const char* key, const char* does) {
+    const Json& counted = answer.at(key);
+    const Json& share = counted.at("share");
+    fmt::print("{} rocks {} the polygon of {} m2", grouped(counted.at("rocks").get<std::uint64_t>()), does,
+               three_digits(answer.at("area_m2").get<double>()));
+    if (share.is_null()) {
+      fmt::print("\n");
+    } else {
+      fmt::print(": {:.1f} % ({:.1f} to {:.1f} %)\n", 100 * share.at("value").get<double>(),
+                 100 * share.at("low").get<double>(), 100 * share.at("high").get<double>());
+    }
+  };
+  count("entering", "enter");
+  count("stopping", "stop in");
+  if (const Json& maxima = answer.at("maxima"); !maxima.is_null()) {
+    fmt::print("at most {} kJ (total), {} m above the ground, {} m/s inside\n",
+               three_digits(maxima.at("ke_total_J").get<double>() / 1000),
+               three_digits(maxima.at("height_m").get<double>()),
+               three_digits(maxima.at("velocity_m_s").get<double>()));
+  }
+  if (const auto text = answer.at("enough").at("text").get<std::string>(); !text.empty()) fmt::print("{}\n", text);
+  print_sources(answer.at("sources"), places, model);
+}
+
+void write_json(const fs::path& file, const Json& json) {
+  if (file.empty()) return;
+  OutputFile out(file);
+  out.write(json.dump(2) + '\n');
+  out.commit();
+}
+
+}  // namespace
+
+int line(const LineOptions& options) {
+  take_available_threads();
+  const fs::path store = options.folder / trajectories_name;
+  Loaded run = load_run(options);
+  std::error_code ignored;
+  if (!fs::exists(store, ignored)) {
+    throw BadInput(Problem{.file = store.string(),
+                           .what = "the run has no stored trajectories",
+                           .why = "lines are asked of the paths of its rocks",
+                           .hint = "Run it again with output.trajectories_MB"});
+  }
+  const AskedRun asked(run.model, std::make_unique<StoredPaths>(store));
+  project::DesignBasis basis = project::design_basis(run.project);
+  AnswerOptions answer_options;
+  if (options.height_m) answer_options.kit = KitSize{*options.height_m, *options.energy_kJ * 1000};
+  Problems warnings;
+  if (!options.polygon.empty()) {
+    const auto corners = places_given(options.polygon, PlanShape::polygon, run.model, "--polygon", warnings);
+    const AskedArea area = drawn_area(run.model, corners, "--polygon", warnings);
+    print_warnings(warnings);
+    const Json json = asked.area(basis, area, answer_options).json;
+    write_json(options.json, json);
+    print_area(json, asked.sources(), run.model);
+    return done;
+  }
+  const double height = answer_options.kit ? answer_options.kit->height : asked_height;
+  const AskedLine line =
+      !options.barrier.empty()
+          ? line_of_barrier(run.model, options.barrier, "--barrier")
+          : drawn_line(run.model, places_given(options.line, PlanShape::line, run.model, "--line", warnings), height,
+                       "--line", warnings);
+  print_warnings(warnings);
+  if (options.section_m) {
+    basis.design.section_m = *options.section_m;
+  } else if (!run.project.design) {
+    basis.design.section_m = usual_section(line.barrier);
+  }
+  if (options.csv) {
+    const LineAnswer answer = ask_lines(run.model, basis, asked.paths(), std::span(&line, 1)).front();
+    DesignResult result;
+    result.lines.push_back(answer.result);
+    fmt::print("{}", design_table(answer.plan, result));
+    return done;
+  }
+  add_kits_for_sliders(basis);
+  const Json json = asked.line(basis, line, answer_options).json;
+  write_json(options.json, json);
+  print_line(json, asked.sources(), run.model);
+  return done;
+}
+
+}  // namespace talus::cli

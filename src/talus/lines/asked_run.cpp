@@ -1,0 +1,74 @@
+#include "talus/lines/asked_run.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace talus {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+void expect_rocks_of(const Model& model, const RockPaths& paths) {
+  const bool has_more = !paths.rocks().empty() && paths.rocks().back() >= model.rocks();
+  if (paths.planned() == model.rocks() && !has_more) return;
+  throw BadInput(
+      Problem{.what = "the trajectories are of another run",
+              .why = fmt::format("they are of {} rocks, and the project has {}", paths.planned(), model.rocks())});
+}
+
+}  // namespace
+
+AskedRun::AskedRun(const Model& model, std::unique_ptr<const RockPaths> paths)
+    : model_(model), paths_((expect_rocks_of(model, *paths), std::move(paths))), sources_(model, paths_->rocks()) {}
+
+Json AskedRun::head() const { return {{"run", {{"rocks", paths_->simulated()}, {"stored", paths_->rocks().size()}}}}; }
+
+RunAnswer AskedRun::line(const project::DesignBasis& basis, const AskedLine& line, const AnswerOptions& options) const {
+  const LineAnswer answer = ask_lines(model_, basis, *paths_, std::span(&line, 1)).front();
+  RunAnswer all{head(), {}};
+  all.json.update(line_json(model_, line, answer, sources_, options));
+  for (const CrossingRock& crossing : answer.crossings) all.rocks.push_back(crossing.rock);
+  return all;
+}
+
+Json AskedRun::lines(const project::DesignBasis& basis, std::span<const AskedLine> lines) const {
+  project::DesignBasis without_kits = basis;
+  without_kits.kits.clear();
+  without_kits.design.heights_m.clear();
+  const std::vector<LineAnswer> answers = ask_lines(model_, without_kits, *paths_, lines);
+  Json json = head();
+  Json& list = json["lines"] = Json::array();
+  for (std::size_t k = 0; k < lines.size(); ++k) list.push_back(short_line_json(model_, lines[k], answers[k]));
+  return json;
+}
+
+RunAnswer AskedRun::area(const project::DesignBasis& basis, const AskedArea& area, const AnswerOptions& options) const {
+  const AreaAnswer answer = ask_area(model_, basis, *paths_, area);
+  RunAnswer all{head(), {}};
+  all.json.update(area_json(model_, area, answer, sources_, options));
+  for (const RockInside& rock : answer.entering) all.rocks.push_back(rock.rock);
+  return all;
+}
+
+double usual_section(const Barrier& line) {
+  double length = 0;
+  for (const Panel& panel : line.panels()) length = std::max(length, panel.station + panel.plan_length);
+  if (!(length > 0)) return 1;
+  const double about = length / 20, power = std::pow(10, std::floor(std::log10(about)));
+  for (const double step : {1.0, 2.0, 5.0}) {
+    if (about <= step * power) return step * power;
+  }
+  return 10 * power;
+}
+
+void add_kits_for_sliders(project::DesignBasis& basis) {
+  basis.kits.clear();
+  for (int step = 1; step <= 30; ++step) basis.design.heights_m.push_back(0.5 * step);
+  for (const double energy : kit_class_energies) basis.design.energies_kJ.push_back(energy / 1000);
+  for (const double energy : {6000.0, 8500.0, 10000.0}) basis.design.energies_kJ.push_back(energy);
+}
+
+}  // namespace talus

@@ -1,0 +1,188 @@
+#include "talus/lines/line_answer.hpp"
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/parallel_for.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "talus/campaign/own_section.hpp"
+#include "talus/lines/path_crossings.hpp"
+#include "talus/model/design_plan.hpp"
+
+namespace talus {
+
+namespace {
+
+/// The first crossing of a line by a rock.
+struct Found {
+  std::uint32_t line;
+  CrossingRock crossing;
+};
+
+/// Follows rocks past all barriers of the model and all lines; each thread has its own.
+class Follower {
+ public:
+  Follower(const Model& model, const std::vector<Barrier>& barriers, const PlanIndex& on_plan)
+      : model_(model),
+        is_sphere_(model.laws.model == RockModel::rigid_sphere),
+        section_(model.varying ? std::make_unique<OwnSection>(model, barriers) : nullptr),
+        crossings_(section_ ? BarrierList(section_->barriers(), on_plan) : BarrierList(barriers, on_plan)) {}
+
+  /// The crossings of the rock of `path`. `asked`: the numbers of the barriers that matter.
+  const RockLog& follow(std::span<const std::uint32_t> asked) {
+    if (section_) section_->move_for(model_, path.record.rock);
+    crossings_.begin(is_sphere_ ? path.record.body.radius : 0);
+    for (const PathPiece& piece : path.pieces) {
+      // With several lines, the last one is rarely known before the rock has ended.
+      if (asked.size() == 1 && crossings_.is_settled(BarrierId{asked.front()}, piece.start_time)) break;
+      crossings_.add(piece);
+    }
+    crossings_.end(path.record.outcome.reason == EndReason::stopped_by_barrier);
+    return crossings_.found();
+  }
+  RockPath path;  // read into
+
+ private:
+  const Model& model_;
+  const bool is_sphere_;
+  std::unique_ptr<OwnSection> section_;
+  PathCrossings crossings_;
+};
+
+/// The model's barriers, and the lines that are asked.
+struct AskedBarriers {
+  std::vector<Barrier> all;
+  std::vector<std::uint32_t> numbers;  // of the lines
+  PlanIndex on_plan;
+
+  AskedBarriers(const Model& model, std::span<const AskedLine> lines) : all(model.barriers) {
+    // A collector of the run stands for no one but itself.
+    for (const AskedLine& line : lines) {
+      numbers.push_back(line.of_model.value_or(static_cast<std::uint32_t>(all.size())));
+      if (!line.of_model) all.push_back(line.barrier);
+    }
+    on_plan = index_of(all);
+  }
+};
+
+/// The places of the rocks that come near any of the lines.
+std::vector<std::size_t> rocks_near(const RockPaths& paths, std::span<const AskedLine> lines, bool is_sphere) {
+  constexpr double by_rounding = 1e-3;  // [m]
+  std::vector<std::size_t> places;
+  for (const AskedLine& line : lines) {
+    double lean = 0;  // how far the top is from above the foot [m]
+    std::vector<Vec2> foot;
+    for (const Vec3& p : foot_of(line.barrier)) foot.emplace_back(p.head<2>());
+    for (const Panel& panel : line.barrier.panels()) lean = std::max(lean, panel.height * panel.up.head<2>().norm());
+    const auto near = paths.near(foot, lean + (is_sphere ? paths.largest_radius() : 0) + by_rounding);
+    std::vector<std::size_t> both;
+    std::ranges::set_union(places, near, std::back_inserter(both));
+    places = std::move(both);
+  }
+  return places;
+}
+
+DesignPlan plan_of(const project::DesignBasis& basis, const Model& model, const AskedLine& line, std::uint32_t number) {
+  const bool in_section = std::holds_alternative<Profile>(model.surface);
+  DesignPlan plan = project::design_check(basis);
+  plan.lines = {project::line_along(line.barrier, number, basis.design.section_m, in_section)};
+  return plan;
+}
+
+}  // namespace
+
+std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis& basis, const RockPaths& paths,
+                                  std::span<const AskedLine> lines) {
+  const AskedBarriers barriers(model, lines);
+  std::vector<LineAnswer> answers;
+  std::vector<DesignTally> tallies;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    DesignPlan plan = plan_of(basis, model, lines[k], barriers.numbers[k]);
+    tallies.emplace_back(plan, paths.planned());
+    answers.push_back({.plan = std::move(plan),
+                       .result = {},
+                       .demands = KitDemands(0, 0),
+                       .crossings = {},
+                       .rocks = paths.rocks().size()});
+  }
+
+  const auto near = rocks_near(paths, lines, model.laws.model == RockModel::rigid_sphere);
+  constexpr std::size_t in_block = 64;
+  std::vector<std::vector<Found>> found((near.size() + in_block - 1) / in_block);
+  tbb::enumerable_thread_specific<Follower> followers([&] { return Follower(model, barriers.all, barriers.on_plan); });
+  tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t block) {
+    Follower& follower = followers.local();
+    const std::size_t last = std::min(near.size(), (block + 1) * in_block);
+    for (std::size_t k = block * in_block; k < last; ++k) {
+      paths.read(near[k], follower.path);
+      const RockRecord& record = follower.path.record;
+      const RockLog& log = follower.follow(barriers.numbers);
+      for (std::uint32_t line = 0; line < lines.size(); ++line) {
+        const auto crossing = first_crossing_of(log, barriers.numbers[line]);
+        if (!crossing) continue;
+        const DesignPlan& plan = answers[line].plan;
+        found[block].push_back({line, {record.rock, line_crossing(plan, plan.lines.front(), record.body, *crossing)}});
+      }
+    }
+  });
+
+  for (const std::vector<Found>& block : found) {
+    for (const auto& [line, crossing] : block) {
+      DesignTally::Line& tally = tallies[line].lines.front();
+      tally.sections[crossing.at.section].add(crossing.at.values);
+      tally.demands.add(crossing.at.height, crossing.at.energy);
+      answers[line].crossings.push_back(crossing);
+    }
+  }
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    tallies[k].rocks = paths.rocks().size();
+    answers[k].demands = tallies[k].lines.front().demands;
+    answers[k].result = evaluate(answers[k].plan, tallies[k]).lines.front();
+  }
+  return answers;
+}
+
+std::optional<CrossingMaxima> LineAnswer::maxima(std::optional<std::uint32_t> section) const {
+  std::optional<CrossingMaxima> most;
+  for (const CrossingRock& crossing : crossings) {
+    if (section && crossing.at.section != *section) continue;
+    if (!most) most.emplace();
+    for (std::size_t q = 0; q < most->size(); ++q) (*most)[q] = std::max((*most)[q], crossing.at.values[q]);
+  }
+  return most;
+}
+
+std::optional<std::uint32_t> LineAnswer::worst_section() const {
+  std::optional<std::uint32_t> worst;
+  for (std::uint32_t s = 0; s < result.sections.size(); ++s) {
+    const auto& demand = result.sections[s].demand;
+    if (!demand) continue;
+    if (!worst || demand->maximum_energy > result.sections[*worst].demand->maximum_energy) worst = s;
+  }
+  return worst;
+}
+
+bool stops(double height, double maximum_energy, const LineCrossing& crossing) {
+  return crossing.needed_height <= height && crossing.needed_energy <= maximum_energy;
+}
+
+KitAnswer judge_kit(const LineAnswer& answer, double height, double maximum_energy) {
+  KitAnswer kit{.height = height, .maximum_energy = maximum_energy};
+  std::uint64_t stopped = 0;
+  for (const CrossingRock& crossing : answer.crossings) {
+    if (stops(height, maximum_energy, crossing.at)) {
+      ++stopped;
+    } else if (crossing.at.needed_height > height) {
+      ++kit.above;
+    } else {
+      ++kit.through;
+    }
+  }
+  kit.stopped = share_of(stopped, answer.crossings.size(), answer.plan.confidence);
+  return kit;
+}
+
+}  // namespace talus

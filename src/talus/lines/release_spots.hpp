@@ -1,0 +1,41 @@
+#pragma once
+// Where the rocks of a run are released, as places with consecutive rocks: the cells of a release area, the rows of a
+// table, lines and points.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "talus/campaign/model.hpp"
+
+namespace talus {
+
+struct ReleaseSpot {
+  std::uint64_t first_rock = 0, rocks = 0;  // at least one
+  SeederId seeder;
+  SourceId source;
+  Vec3 place = Vec3::Zero();  // its middle, on the ground if its rocks are placed above it; local [m]
+  Vec2 size = Vec2::Zero();   // of a cell [m]; 0: not a cell
+};
+
+class ReleaseSpots {
+ public:
+  explicit ReleaseSpots(const Model& model);
+  /// By their rocks. Cells and rows that release no rock are left out.
+  [[nodiscard]] const std::vector<ReleaseSpot>& list() const { return spots_; }
+  /// The number in the list of the place that releases a rock.
+  [[nodiscard]] std::size_t of_rock(std::uint64_t rock) const;
+
+ private:
+  std::vector<ReleaseSpot> spots_;
+};
+
+/// The places of release, with how many of the rocks of each have stored paths.
+struct StoredSources {
+  StoredSources(const Model& model, std::span<const std::uint64_t> rocks);
+
+  ReleaseSpots spots;
+  std::vector<std::uint64_t> stored;  // by spot
+};
+
+}  // namespace talus

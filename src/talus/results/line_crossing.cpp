@@ -1,0 +1,51 @@
+#include "talus/results/line_crossing.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace talus {
+
+namespace {
+
+/// Index of the first of the ascending values that is at least `needed`; their number if none is.
+std::uint32_t first_sufficient(const std::vector<double>& rising, double needed) {
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(rising, needed) - rising.begin());
+}
+
+}  // namespace
+
+std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier) {
+  std::optional<FirstCrossing> first;
+  const auto consider = [&](const auto& crossings) {
+    for (const auto& crossing : crossings) {
+      if (crossing.barrier.index != barrier) continue;
+      if (!first || crossing.motion.time < first->motion->time) {
+        first = FirstCrossing{&crossing.motion, crossing.height, crossing.station};
+      }
+    }
+  };
+  consider(log.hits);
+  consider(log.passed_above);
+  return first;
+}
+
+LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock,
+                           const FirstCrossing& crossing) {
+  const double velocity = crossing.motion->velocity.norm();
+  const double translational = 0.5 * rock.mass * velocity * velocity;
+  const double total = translational + 0.5 * rock.inertia * crossing.motion->spin.squaredNorm();
+  const double energy = energy_to_check(plan.factors, translational, total, velocity);
+  constexpr double by_rounding = 1e-6;  // height of a rock that rolls on the ground [m]
+  const double height = crossing.height > by_rounding ? crossing.height : 0;
+  const double radius = radius_to_check(plan.factors, rock.mass, rock.radius);
+  LineCrossing crosses{.section = line.section_at(crossing.station),
+                       .values = {translational, total, velocity, height, radius,
+                                  line.lateral_of(crossing.station, crossing.motion->velocity)},
+                       .needed_height = needed_height(plan.factors, height, radius),
+                       .needed_energy = needed_maximum_energy(plan.factors, energy)};
+  crosses.height = first_sufficient(plan.heights, crosses.needed_height);
+  crosses.energy = first_sufficient(plan.energies, crosses.needed_energy);
+  return crosses;
+}
+
+}  // namespace talus

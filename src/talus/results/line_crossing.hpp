@@ -1,0 +1,46 @@
+#pragma once
+// What a rock is like where it first crosses a line, and the kit that it asks for there. The design of a run
+// (design_tally.hpp) and questions after it (room `lines`) take it from here.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "talus/results/design_plan.hpp"
+#include "talus/trajectory/rock_log.hpp"
+
+namespace talus {
+
+/// Quantities of a rock at the place where it crosses a line.
+enum class CrossingQuantity : std::uint32_t {
+  energy_translational,
+  energy_total,
+  velocity,
+  height,
+  radius,
+  lateral
+};  // [J] [m/s] [m]; lateral: metres along the line per metre across it, on plan
+inline constexpr std::size_t crossing_quantity_count = 6;
+/// The first ones have percentiles in the results.
+inline constexpr std::size_t shown_quantity_count = 4;
+
+/// A rock's first crossing of a barrier or collector: on a panel or above it, stopped there or not.
+struct FirstCrossing {
+  const Motion* motion = nullptr;  // in the log
+  double height = 0, station = 0;  // above the foot, along the face; along the line on plan [m]
+};
+[[nodiscard]] std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier);
+
+struct LineCrossing {
+  std::uint32_t section = 0;
+  std::array<double, crossing_quantity_count> values{};
+  double needed_height = 0, needed_energy = 0;  // of a kit: nominal height [m], MEL [J]
+  // The first sufficient ones of the plan; their number if none is.
+  std::uint32_t height = 0, energy = 0;
+
+  [[nodiscard]] double of(CrossingQuantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }
+};
+[[nodiscard]] LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock,
+                                         const FirstCrossing& crossing);
+
+}  // namespace talus

@@ -1,0 +1,117 @@
+// `talus line` answers from the folder of a run.
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "cli/program.hpp"
+#include "cli/run_files.hpp"
+
+namespace talus::test {
+namespace {
+
+class LineCommand : public ::testing::Test {
+ protected:
+  LineCommand() {
+    const Said said = talus_says("run " + write_slope_with_barrier(work_) + " --quiet -o " + out());
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+  }
+  [[nodiscard]] std::string out() const { return (work_ / "out").string(); }
+  [[nodiscard]] Said line(const std::string& options) const { return talus_says("line " + out() + " " + options); }
+  /// What it prints, or why it refuses, without the name of the test's folder.
+  [[nodiscard]] std::string text_of(const std::string& options, int exit_code = 0) const {
+    const Said said = line(options);
+    EXPECT_EQ(said.exit_code, exit_code) << said.text;
+    std::string text = said.text;
+    const std::string folder = (work_ / "").string();
+    for (std::size_t at; (at = text.find(folder)) != std::string::npos;) text.erase(at, folder.size());
+    return text;
+  }
+
+  Workplace work_;
+};
+
+std::vector<std::string> rows_of(const std::string& text, const std::string& line) {
+  std::vector<std::string> rows;
+  std::istringstream in(text);
+  for (std::string row; std::getline(in, row);) {
+    if (row.starts_with(line)) rows.push_back(row.substr(line.size()));
+  }
+  return rows;
+}
+
+/// Numbers are equal to five digits, which the store has of motion along the ground; everything else is the same.
+void expect_same_row(const std::string& asked, const std::string& run) {
+  std::istringstream a(asked), b(run);
+  std::string left, right;
+  while (std::getline(b, right, ',')) {
+    ASSERT_TRUE(std::getline(a, left, ',')) << asked;
+    double x = 0, y = 0;
+    const auto is_number = [](const std::string& text, double& value) {
+      return std::from_chars(text.data(), text.data() + text.size(), value).ptr == text.data() + text.size();
+    };
+    if (!right.empty() && is_number(left, x) && is_number(right, y)) {
+      EXPECT_NEAR(x, y, 1e-4 * std::max(1.0, std::abs(y)));
+    } else {
+      EXPECT_EQ(left, right);
+    }
+  }
+}
+
+TEST_F(LineCommand, PrintsTheRowsOfADesign) {
+  for (const char* name : {"Line at 15 m", "Fence"}) {
+    const auto asked = rows_of(text_of("--csv --barrier '" + std::string(name) + "'"), name);
+    const auto run = rows_of(work_.read("out/design.csv"), name);
+    ASSERT_EQ(asked.size(), run.size());
+    EXPECT_GT(run.size(), 5U);
+    for (std::size_t k = 0; k < run.size(); ++k) expect_same_row(asked[k], run[k]);
+  }
+}
+
+TEST_F(LineCommand, SaysWhatCrossesALine) {
+  const std::string text = text_of("--line '15,0 15,50' --height 2 --energy 100 --json " + (work_ / "a.json").string());
+  const auto json = nlohmann::json::parse(work_.read("a.json"));
+  EXPECT_NE(text.find("of 75 rocks cross the line of 50 m: " + json["card"]["share"].get<std::string>()),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(json["kit"]["text"].get<std::string>()), std::string::npos) << text;
+  EXPECT_NE(text.find("UNI 11211-4 asks for class"), std::string::npos) << text;
+  EXPECT_NE(text.find("the worst"), std::string::npos) << text;
+}
+
+TEST_F(LineCommand, ReadsLinesFromTables) {
+  work_.write("line.csv", "x_m,y_m\n15,0\n15,50\n");
+  const std::string given = text_of("--line '15,0 15,50'");
+  EXPECT_EQ(text_of("--line " + (work_ / "line.csv").string()), given);
+  work_.write("bad.csv", "x_m,y_m\n15,0\n15,east\n");
+  EXPECT_EQ(text_of("--line " + (work_ / "bad.csv").string(), 2),
+            "error: bad.csv:3: y_m is \"east\" (expected a number)\n");
+}
+
+TEST_F(LineCommand, SaysWhatEntersAPolygon) {
+  const std::string text = text_of("--polygon '5,5 25,5 25,45 5,45'");
+  EXPECT_NE(text.find("rocks enter the polygon of 800 m2"), std::string::npos) << text;
+  EXPECT_NE(text.find("rocks stop in the polygon of 800 m2"), std::string::npos) << text;
+}
+
+TEST_F(LineCommand, RefusesWithTheReason) {
+  EXPECT_EQ(text_of("--line '15,0 15,north'", 2),
+            "error: --line: \"15,north\" is not a place (expected x,y). Write \"x,y x,y ...\", or name a file that "
+            "exists\n");
+  EXPECT_EQ(text_of("--line '15,0'", 2),
+            "error: --line: has 1 point (expected at least 2, from one end to the other)\n");
+  EXPECT_EQ(text_of("--barrier Net", 2),
+            "error: --barrier: the run has no barrier or collector \"Net\" (it has \"Line at 15 m\", \"Fence\")\n");
+  std::filesystem::remove(work_ / "out" / "trajectories.bin");
+  EXPECT_EQ(text_of("--barrier Fence", 2),
+            "error: out/trajectories.bin: the run has no stored trajectories (lines are asked of the paths of its "
+            "rocks). Run it again with output.trajectories_MB\n");
+}
+
+}  // namespace
+}  // namespace talus::test

@@ -1,0 +1,117 @@
+// Answers as JSON: numbers as cards show them, and what would be enough.
+
+#include "talus/lines/line_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/simulated_paths.hpp"
+#include "talus/lines/asked_run.hpp"
+
+namespace talus {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing_tools::SimulatedPaths;
+using testing_tools::SimulatedRun;
+
+TEST(ThreeDigits, AreAsACardShowsThem) {
+  EXPECT_EQ(three_digits(0), "0.00");
+  EXPECT_EQ(three_digits(0.416), "0.42");
+  EXPECT_EQ(three_digits(3.414), "3.41");
+  EXPECT_EQ(three_digits(9.999), "10.0");
+  EXPECT_EQ(three_digits(18.24), "18.2");
+  EXPECT_EQ(three_digits(99.96), "100");
+  EXPECT_EQ(three_digits(412.4), "412");
+  EXPECT_EQ(three_digits(999.6), "1,000");
+  EXPECT_EQ(three_digits(1243), "1,240");
+  EXPECT_EQ(three_digits(1234567), "1,230,000");
+}
+
+constexpr const char* slope = R"([terrain]
+section = [[0, 0], [30, -30], [80, -35]]
+width_m = 60
+
+[[material]]
+name = "Rock"
+normal_restitution = 0.4
+tangential_restitution = 0.85
+friction_angle_deg = 33
+roughness_deg = 10
+
+[[seeder]]
+type = "line"
+points = [[1, 10, 0], [1, 50, 0]]
+height_above_m = 1
+rocks = 40
+mass_kg = 900
+horizontal_velocity_m_s = 2
+)";
+
+Json answer_to(const SimulatedRun& run, const std::vector<PlanPlace>& line, const AnswerOptions& options = {}) {
+  Problems warnings;
+  const AskedRun asked(run.model, std::make_unique<SimulatedPaths>(run.paths));
+  project::DesignBasis basis = project::design_basis(run.project);
+  add_kits_for_sliders(basis);
+  return asked.line(basis, drawn_line(run.model, line, 5, "line", warnings), options).json;
+}
+
+TEST(LineJson, SaysHowManyRocksWouldBeEnough) {
+  const SimulatedRun run(slope);
+  const Json few = answer_to(run, {{35, 0}, {35, 60}});
+  const Json& enough = few["enough"];
+  // Forty rocks have no upper end of the 95th percentile: it takes 72.
+  EXPECT_TRUE(few["whole"]["percentiles"]["ke_total_J"]["95"][2].is_null());
+  EXPECT_FALSE(enough["energy"]["is_enough"].get<bool>());
+  EXPECT_GE(enough["energy"]["rocks"].get<std::uint64_t>(), 72u);
+  EXPECT_GE(enough["rocks"].get<std::uint64_t>(), enough["energy"]["rocks"].get<std::uint64_t>());
+  EXPECT_NE(enough["text"].get<std::string>().find("(now 40)"), std::string::npos);
+  EXPECT_NE(few["card"]["energy_interval"].get<std::string>().find("no upper end"), std::string::npos);
+  const Json loose = answer_to(run, {{35, 0}, {35, 60}}, {.kit = {}, .precision = 1e6, .wants_sources = false});
+  EXPECT_TRUE(loose["enough"]["share"]["is_enough"].get<bool>());
+  EXPECT_FALSE(loose.contains("sources"));
+}
+
+TEST(LineJson, OfALineThatNoRockCrosses) {
+  const SimulatedRun run(slope);
+  const Json none = answer_to(run, {{0.2, 0}, {0.2, 60}}, {.kit = KitSize{3, 1e6}, .precision = 0.1});
+  EXPECT_EQ(none["whole"]["rocks"], 0);
+  EXPECT_EQ(none["card"]["share"], "0.0 %");
+  EXPECT_EQ(none["card"]["energy"], "");
+  EXPECT_TRUE(none["worst"].is_null());
+  EXPECT_TRUE(none["whole"]["maxima"].is_null());
+  EXPECT_TRUE(none["kits"]["share"][0][0].is_null());
+  EXPECT_EQ(none["kit"]["text"], "3 m and 1,000 kJ: no rock crosses here");
+  EXPECT_EQ(none["enough"]["text"], "None of 40 rocks crosses: more rocks would show rarer ones");
+  EXPECT_EQ(none["sources"]["release"], Json::array());
+}
+
+TEST(AskedRun, RefusesTrajectoriesOfAnotherRun) {
+  const SimulatedRun run(slope);
+  auto paths = std::make_unique<SimulatedPaths>(run.paths);
+  paths->keep(41, [](std::uint64_t) { return true; });
+  try {
+    const AskedRun asked(run.model, std::move(paths));
+    FAIL() << "accepted";
+  } catch (const BadInput& bad) {
+    EXPECT_EQ(bad.problems().text(),
+              "the trajectories are of another run (they are of 41 rocks, and the project has 40)");
+  }
+}
+
+TEST(UsualSection, MakesAboutTwentyOnALine) {
+  const auto of = [](double length) {
+    Barrier line;
+    const std::vector<Vec3> foot{{0, 0, 0}, {length, 0, 0}};
+    line.set_panels(panels_over(foot, 5, 0));
+    return usual_section(line);
+  };
+  EXPECT_DOUBLE_EQ(of(200), 10);
+  EXPECT_DOUBLE_EQ(of(82.4), 5);
+  EXPECT_DOUBLE_EQ(of(30), 2);
+  EXPECT_DOUBLE_EQ(of(1), 0.05);
+}
+
+}  // namespace
+}  // namespace talus

@@ -1,0 +1,80 @@
+// Places of release and their rocks.
+
+#include "talus/lines/release_spots.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "support/simulated_paths.hpp"
+
+namespace talus {
+namespace {
+
+using testing_tools::SimulatedRun;
+
+constexpr const char* slope = R"([terrain]
+section = [[0, 0], [30, -30], [80, -35]]
+width_m = 60
+
+[[material]]
+name = "Rock"
+friction_angle_deg = 33
+
+[[seeder]]
+name = "Point"
+position = [2, 30, 5]
+rocks = 7
+mass_kg = 900
+
+[[seeder]]
+name = "Area"
+type = "polygon"
+polygon = [[3, 20], [9, 20], [9, 26], [3, 26]]
+cell_m = 2
+rocks = 31
+mass_kg = 900
+
+[[seeder]]
+name = "Line"
+type = "line"
+points = [[1, 10, 0], [1, 50, 0]]
+height_above_m = 1
+rocks = 12
+mass_kg = 900
+)";
+
+TEST(ReleaseSpots, HaveConsecutiveRocksOfOneSource) {
+  const SimulatedRun run(slope);
+  const ReleaseSpots spots(run.model);
+  std::uint64_t next = 0;
+  for (const ReleaseSpot& spot : spots.list()) {
+    EXPECT_EQ(spot.first_rock, next);
+    EXPECT_GT(spot.rocks, 0u);
+    next += spot.rocks;
+  }
+  EXPECT_EQ(next, 50u);
+  EXPECT_EQ(spots.list().size(), 1u + 9u + 1u);
+  for (const RockRecord& record : run.records) {
+    const ReleaseSpot& spot = spots.list()[spots.of_rock(record.rock)];
+    EXPECT_EQ(spot.seeder.index, record.seeder.index);
+    EXPECT_EQ(spot.source.index, record.source.index);
+    if (spot.size.x() == 0) continue;
+    const Vec2 away = (record.outcome.start.position - spot.place).head<2>();
+    EXPECT_LE(std::abs(away.x()), spot.size.x() / 2 + 1e-9);
+    EXPECT_LE(std::abs(away.y()), spot.size.y() / 2 + 1e-9);
+  }
+}
+
+TEST(StoredSources, CountTheStoredRocksOfEachPlace) {
+  const SimulatedRun run(slope);
+  const std::vector<std::uint64_t> rocks{0, 3, 6, 7, 37, 38, 49};
+  const StoredSources sources(run.model, rocks);
+  EXPECT_EQ(sources.stored.front(), 3u);
+  EXPECT_EQ(sources.stored[1], 1u);
+  EXPECT_EQ(sources.stored[9], 1u);
+  EXPECT_EQ(sources.stored[10], 2u);
+}
+
+}  // namespace
+}  // namespace talus
