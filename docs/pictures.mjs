@@ -1,8 +1,9 @@
-// Renews the pictures of the documentation: node docs/pictures.mjs [PROGRAM], after a build and the tests of the page,
-// which install Playwright. It needs pdftoppm, of Debian's poppler-utils. PROGRAM is build/talus if it is not given.
+// Renews the pictures of the documentation and of the start page: node docs/pictures.mjs [PROGRAM], after a build and the
+// tests of the page, which install Playwright. It needs pdftoppm, of Debian's poppler-utils. PROGRAM is build/talus if it
+// is not given.
 
 import { execFileSync, spawn } from 'node:child_process';
-import { mkdtempSync, rmSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -22,8 +23,8 @@ async function pictureOfReport(browser, folder) {
   await page.screenshot({ path: join(sources, 'docs/tutorial-1.png'), clip: { x: 0, y: 0, width: 1000, height } });
 }
 
-/// The workbench with the rocks of Tutorial 1 half way down.
-async function pictureOfWorkbench(browser, folder) {
+/// Starts the workbench, and passes its page to a task.
+async function inWorkbench(browser, folder, task) {
   const server = spawn(program, ['serve', folder, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
   try {
     let printed = '';
@@ -37,6 +38,16 @@ async function pictureOfWorkbench(browser, folder) {
     const page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.goto(address);
+    await task(page);
+    await page.close();
+  } finally {
+    server.kill();
+  }
+}
+
+/// The workbench with the rocks of Tutorial 1 half way down.
+const pictureOfWorkbench = (browser, folder) =>
+  inWorkbench(browser, folder, async (page) => {
     await page.getByRole('button', { name: /^Tutorial 1, in 3D/ }).click();
     await page.getByRole('group', { name: 'Time of the rocks' }).waitFor();
     await page.getByRole('tab', { name: 'Barriers' }).click();
@@ -45,10 +56,26 @@ async function pictureOfWorkbench(browser, folder) {
     await page.mouse.move(683, 340);
     await page.waitForTimeout(3000); // until the view is drawn
     await page.screenshot({ path: join(sources, 'docs/workbench.png') });
-  } finally {
-    server.kill();
-  }
-}
+  });
+
+/// The pictures of the examples on the start page: those that the workbench saves when a project is closed.
+const picturesOfExamples = (browser, folder) =>
+  inWorkbench(browser, folder, async (page) => {
+    const { examples } = await (await page.request.get(new URL('/api/examples', page.url()).href)).json();
+    mkdirSync(join(sources, 'web/public/examples'), { recursive: true });
+    for (const { id, title, file } of examples) {
+      await page.getByRole('region', { name: 'Try an example' }).getByRole('button', { name: title, exact: false }).first().click();
+      await page.getByRole('group', { name: 'Playback' }).waitFor({ timeout: 120_000 });
+      await page.waitForTimeout(3000); // until the view is drawn
+      const saved = page.waitForResponse((response) => response.request().method() === 'PUT' && response.url().includes('/api/pictures/'));
+      await page.getByRole('button', { name: 'Start page' }).click();
+      await saved;
+      await page.getByRole('region', { name: 'Try an example' }).waitFor();
+      const picture = await page.request.get(new URL(`/api/pictures/${file}`, page.url()).href);
+      if (!picture.ok()) throw new Error(`${file} has no picture`);
+      writeFileSync(join(sources, 'web/public/examples', `${id}.webp`), await picture.body());
+    }
+  });
 
 /// The predictions of half A of the meadow at Tschamut by the second model; each half has three figures.
 async function pictureOfValidation(browser, folder) {
@@ -98,6 +125,7 @@ const browser = await chromium.launch({
 try {
   await pictureOfReport(browser, folder);
   await pictureOfWorkbench(browser, folder);
+  await picturesOfExamples(browser, folder);
   await pictureOfValidation(browser, folder);
   pictureOfSheet(folder);
 } finally {

@@ -19,8 +19,6 @@ constexpr std::string_view opening = "# A draft of the file with the checksum ";
 constexpr std::string_view lineage = "# Its last changes in each tab of the workbench: ";
 constexpr std::size_t longest_tab = 32;
 
-fs::path place_of(const fs::path& file) { return file.parent_path() / ("." + file.filename().string() + ".draft"); }
-
 bool is_same(const Revision& a, const Revision& b) { return a.tab == b.tab && a.count == b.count; }
 
 /// If the first line has this beginning, removes the line and returns its rest.
@@ -69,8 +67,15 @@ std::vector<Revision> with_revision(std::vector<Revision> revisions, const Revis
   return revisions;
 }
 
+std::mutex& project_writing() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+fs::path draft_place(const fs::path& file) { return file.parent_path() / ("." + file.filename().string() + ".draft"); }
+
 std::optional<Draft> draft_of(const fs::path& file) {
-  const fs::path place = place_of(file);
+  const fs::path place = draft_place(file);
   std::error_code ignored;
   if (!fs::is_regular_file(place, ignored)) return std::nullopt;
   Draft draft{.text = project::text_of_file(place), .saved = {}};
@@ -82,7 +87,7 @@ std::optional<Draft> draft_of(const fs::path& file) {
 void save_draft(const fs::path& file, const Draft& draft) {
   std::error_code ignored;
   fs::create_directories(file.parent_path(), ignored);
-  OutputFile kept(place_of(file));
+  OutputFile kept(draft_place(file));
   if (draft.saved) kept.write(fmt::format("{}{}\n", opening, *draft.saved));
   if (!draft.revisions.empty()) {
     std::string line;
@@ -95,7 +100,7 @@ void save_draft(const fs::path& file, const Draft& draft) {
 
 void remove_draft(const fs::path& file) {
   std::error_code ignored;
-  fs::remove(place_of(file), ignored);
+  fs::remove(draft_place(file), ignored);
 }
 
 }  // namespace talus::server

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,7 +33,12 @@ struct Draft {
 /// The revisions after adding `next`.
 [[nodiscard]] std::vector<Revision> with_revision(std::vector<Revision> revisions, const Revision& next);
 
-/// nullopt if there is none. `file`, here and below: the project's.
+/// Held while files and drafts of projects are compared and written: tabs may save at the same time.
+[[nodiscard]] std::mutex& project_writing();
+
+/// The place of the draft. `file`, here and below: the project's.
+[[nodiscard]] std::filesystem::path draft_place(const std::filesystem::path& file);
+/// nullopt if there is none.
 [[nodiscard]] std::optional<Draft> draft_of(const std::filesystem::path& file);
 void save_draft(const std::filesystem::path& file, const Draft& draft);
 void remove_draft(const std::filesystem::path& file);

@@ -11,6 +11,7 @@
 #include "model_reading.hpp"
 #include "run.hpp"
 #include "run_model.hpp"
+#include "run_watch.hpp"
 #include "talus/calibration/calibrate.hpp"
 
 namespace talus::server {
@@ -28,6 +29,7 @@ struct RunEntry {
   std::atomic<bool> stop{false};
   std::shared_ptr<BuiltProject> built;               // null: built when its turn comes
   std::shared_ptr<PreparedCalibration> calibration;  // likewise, of a calibration
+  std::shared_ptr<RunWatch> watch;                   // of a run in progress; null: nothing to watch yet
   // Of a resumed run, its state before, until the first rock is finished: until then its earlier results remain.
   std::optional<RunState> state_before;
 };

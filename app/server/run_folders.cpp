@@ -48,20 +48,29 @@ bool may_contain_projects(const fs::path& folder) {
   return !name.starts_with('.') && name != "node_modules" && !has_run_file(folder);
 }
 
+/// The folders of runs in the folder of a project's runs.
+void add_run_folders_in(std::vector<fs::path>& found, const fs::path& project) {
+  for (const fs::path& run : folders_in(project))
+    if (has_run_file(run) && can_be_id(run.filename().string())) found.push_back(run);
+}
+
 /// The folders DIR/runs/PROJECT/ID of runs below `parent`.
 void add_run_folders(std::vector<fs::path>& found, const fs::path& parent, int depth) {
   for (const fs::path& folder : folders_in(parent)) {
     if (!may_contain_projects(folder)) continue;
     if (folder.filename() == "runs") {
-      for (const fs::path& project : folders_in(folder))
-        for (const fs::path& run : folders_in(project))
-          if (has_run_file(run) && can_be_id(run.filename().string())) found.push_back(run);
+      for (const fs::path& project : folders_in(folder)) add_run_folders_in(found, project);
     }
     if (depth < deepest_project) add_run_folders(found, folder, depth + 1);
   }
 }
 
-/// Creates a folder named by the current time, to the millisecond.
+BadInput cannot_remove(const Run& run, const char* what, const std::error_code& error) {
+  return BadInput(Problem{.file = run.folder.string(), .what = what, .why = error.message()});
+}
+
+}  // namespace
+
 fs::path new_folder(const fs::path& parent) {
   make_output_folder(parent);
   for (;;) {
@@ -77,12 +86,6 @@ fs::path new_folder(const fs::path& parent) {
   }
 }
 
-BadInput cannot_remove(const Run& run, const char* what, const std::error_code& error) {
-  return BadInput(Problem{.file = run.folder.string(), .what = what, .why = error.message()});
-}
-
-}  // namespace
-
 std::vector<Run> find_runs(const fs::path& base) {
   std::vector<fs::path> folders;
   add_run_folders(folders, base, 0);
@@ -95,6 +98,14 @@ std::vector<Run> find_runs(const fs::path& base) {
     for (int k = 2; !ids.insert(run.id).second; ++k) run.id = fmt::format("{}-{}", id, k);
     runs.push_back(std::move(run));
   }
+  return runs;
+}
+
+std::vector<Run> find_runs_in(const fs::path& folder, const fs::path& base) {
+  std::vector<fs::path> folders;
+  add_run_folders_in(folders, folder);
+  std::vector<Run> runs;
+  for (const fs::path& run : folders) runs.push_back(read_run(run, base));
   return runs;
 }
 

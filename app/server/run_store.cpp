@@ -1,5 +1,7 @@
 #include "run_store.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -92,6 +94,13 @@ Run RunStore::find(const std::string& id) {
   return entry_of(id)->run;
 }
 
+std::shared_ptr<const RunWatch> RunStore::watch(const std::string& id) {
+  const std::lock_guard lock(mutex_);
+  const auto entry = entry_of(id);
+  if (!entry->watch) throw Refusal(404, id, "has no results so far", "it is not being simulated");
+  return entry->watch;
+}
+
 Run RunStore::begin(const RunOrder& order) {
   const fs::path file = workplace_.project(order.file);
   if (!order.name.empty()) check_name(order.name);
@@ -152,10 +161,9 @@ Run RunStore::begin(const CalibrationOrder& order) {
 
 Run RunStore::queue(const std::shared_ptr<RunEntry>& entry, const std::string& project, const std::string& study) {
   Run& run = entry->run;
-  const fs::path parent = fs::path(run.file).parent_path() / "runs" / fs::path(run.file).stem();
   const std::lock_guard lock(mutex_);
   if (worker_.is_closed()) throw Refusal(503, run.file, "cannot be run", why_closing);
-  create_run_folder(run, workplace_.at(parent.generic_string()), project, study);
+  create_run_folder(run, workplace_.at(runs_folder(run.file)), project, study);
   // Of the queued runs only the first keeps its model in memory.
   if (!worker_.is_idle()) {
     entry->built.reset();
@@ -244,6 +252,65 @@ void RunStore::remove(const std::string& id) {
   entries_.erase(id);
   events_.publish("removed", id, {{"id", id}});
   remove_run_folder(run);
+}
+
+std::vector<std::shared_ptr<RunEntry>> RunStore::idle_runs_of(const std::string& file, const char* what) {
+  const fs::path folder = workplace_.at(runs_folder(file));
+  std::vector<std::shared_ptr<RunEntry>> found;
+  for (const auto& [id, entry] : entries_) {
+    if (entry->run.file != file && entry->run.folder.parent_path() != folder) continue;
+    const Run& run = entry_of(id)->run;
+    const auto refuse = [&](const std::string& why, const char* hint) { return Refusal(409, file, what, why, hint); };
+    const std::string its_run = fmt::format("its run \"{}\"", run.name);
+    if (run.is_elsewhere) throw refuse(fmt::format("another program is using {}", its_run), "");
+    if (run.is_active || run.state == RunState::running) throw refuse(its_run + " is running", "Stop it first");
+    if (run.state == RunState::waiting) throw refuse(its_run + " is waiting", "Stop it first");
+    found.push_back(entry);
+  }
+  return found;
+}
+
+void RunStore::move_project(const std::string& file, const std::string& to,
+                            const std::function<void(const std::vector<fs::path>&)>& move) {
+  const std::lock_guard lock(mutex_);
+  const auto entries = idle_runs_of(file, "cannot be renamed");
+  std::vector<fs::path> calibrations;
+  for (const auto& entry : entries)
+    if (entry->run.kind == RunKind::calibration) calibrations.push_back(entry->run.folder);
+  move(calibrations);
+  for (const auto& entry : entries) {
+    Run& run = entry->run;
+    worker_.unqueue(*entry);
+    entry->built.reset();
+    entry->calibration.reset();
+    run.folder = workplace_.at(runs_folder(to)) / run.folder.filename();
+    run.file = to;
+    if (!run.is_damaged) changed(run);
+  }
+}
+
+void RunStore::remove_project(const std::string& file, const std::function<void(std::size_t)>& move) {
+  const std::lock_guard lock(mutex_);
+  const auto entries = idle_runs_of(file, "cannot be deleted");
+  move(entries.size());
+  for (const auto& entry : entries) {
+    const std::string id = entry->run.id;
+    worker_.unqueue(*entry);
+    entries_.erase(id);
+    events_.publish("removed", id, {{"id", id}});
+  }
+}
+
+void RunStore::add_project(const std::string& file) {
+  const std::lock_guard lock(mutex_);
+  for (Run& run : find_runs_in(workplace_.at(runs_folder(file)), workplace_.folder())) {
+    const std::string id = run.id;
+    for (int k = 2; entries_.contains(run.id); ++k) run.id = fmt::format("{}-{}", id, k);
+    const auto entry = std::make_shared<RunEntry>();
+    entry->run = std::move(run);
+    entries_.emplace(entry->run.id, entry);
+    events_.publish("run", entry->run.id, json_of(entry->run));
+  }
 }
 
 }  // namespace talus::server

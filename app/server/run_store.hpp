@@ -1,6 +1,8 @@
 #pragma once
 // The runs of the folder that is served: found at the start, added, run, stopped, resumed and removed by requests.
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -46,6 +48,8 @@ class RunStore {
   /// Newest first.
   [[nodiscard]] std::vector<Run> list();
   [[nodiscard]] Run find(const std::string& id);
+  /// What a run in progress has found so far. Refuses (404) a run that is not in progress, and calibrations.
+  [[nodiscard]] std::shared_ptr<const RunWatch> watch(const std::string& id);
   [[nodiscard]] Json json_of(const Run& run) const { return server::json_of(run, workplace_.folder()); }
   /// The project's file, which may no longer exist.
   [[nodiscard]] std::filesystem::path project_file(const Run& run) const { return workplace_.at(run.file); }
@@ -67,6 +71,18 @@ class RunStore {
   /// Throws BadInput if the folder cannot be removed. If only a part of it is left, the run is gone nevertheless.
   void remove(const std::string& id);
 
+  // Of a project whose files are moved or deleted with its runs. `move` does this while no run can begin. They refuse
+  // (409) if one is waiting or running. `file` and `to` are relative to the folder that is served, and are in one
+  // folder there.
+
+  /// `move` gets the folders of its calibrations, whose studies name the project.
+  void move_project(const std::string& file, const std::string& to,
+                    const std::function<void(const std::vector<std::filesystem::path>&)>& move);
+  /// `move` gets the number of its runs.
+  void remove_project(const std::string& file, const std::function<void(std::size_t)>& move);
+  /// Finds the runs of a project that is in its place again.
+  void add_project(const std::string& file);
+
   /// Stops the current run and waits for it. Later runs are refused.
   void close() { worker_.close(); }
 
@@ -75,6 +91,8 @@ class RunStore {
 
   /// Expects the lock.
   [[nodiscard]] std::shared_ptr<RunEntry> entry_of(const std::string& id);
+  /// The runs of a project. Refuses (409) if one is waiting or running. Expects the lock.
+  [[nodiscard]] std::vector<std::shared_ptr<RunEntry>> idle_runs_of(const std::string& file, const char* what);
   /// Puts a run with its texts into a new folder and into the queue.
   Run queue(const std::shared_ptr<RunEntry>& entry, const std::string& project, const std::string& study);
   /// Saves and publishes a run. Expects the lock.

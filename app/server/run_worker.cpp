@@ -96,6 +96,7 @@ void RunWorker::work() {
 
 void RunWorker::finish(RunEntry& entry) {
   current_.reset();
+  entry.watch.reset();
   entry.run.is_active = false;
   entry.run.was_killed = false;
   entry.run.rate.reset();
@@ -186,7 +187,14 @@ void RunWorker::simulate(const Job& job, LowPriorityArena& arena) {
   std::error_code ignored;
   const double seconds_before = resumes && fs::exists(state, ignored) ? read_run_state_header(state).seconds : 0;
 
+  const auto watch = std::make_shared<RunWatch>(entry.built->model);
+  {
+    const std::lock_guard lock(mutex_);
+    entry.watch = watch;
+  }
   project::RunOptions options;
+  options.watch = watch.get();
+  options.so_far = [&](const Summary& summary) { watch->take(summary); };
   options.campaign.stop = &entry.stop;
   options.campaign.progress = progress_of(entry, seconds_before);
   options.lock = &*folder_lock;

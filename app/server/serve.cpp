@@ -18,6 +18,7 @@
 #include "http/session.hpp"
 #include "http/web_server.hpp"
 #include "model_reading.hpp"
+#include "project_files.hpp"
 #include "routes/routes.hpp"
 #include "run_models.hpp"
 #include "run_store.hpp"
@@ -91,6 +92,8 @@ void serve(const ServeOptions& options) {
   add_about_routes(router, workplace, options.project);
   add_file_routes(router, workplace);
   add_project_routes(router, workplace);
+  ProjectFiles projects(workplace, runs);
+  add_projects_routes(router, workplace, projects);
   add_example_routes(router, workplace);
   ModelShelf shelf(reading, usable_memory() / share_of_models);
   add_model_routes(router, workplace, shelf);

@@ -16,6 +16,7 @@ import { SectionView } from './section/SectionView';
 import { TextPanel } from './model/TextPanel';
 import { CalibratePanel } from './calibration/CalibratePanel';
 import { takeObserved } from './calibration/observations';
+import { ContextMenu } from './drag/ContextMenu';
 import { TopBar } from './ui/TopBar';
 import { Tabs } from './ui/Tabs';
 import { SavingDialogs } from './ui/SavingDialogs';
@@ -63,6 +64,7 @@ export function Workbench() {
         <ResultsPanel />
         {isAsking.value && <AskCard />}
       </main>
+      <ContextMenu />
       <SavingDialogs />
     </div>
   );

@@ -4,7 +4,7 @@ import { useEffect } from 'preact/hooks';
 import { api } from './api/client';
 import { about } from './state/about';
 import { file } from './state/document';
-import { listenToHistory } from './state/history';
+import { goToAddress, listenToHistory } from './state/history';
 import { reportFailure } from './state/messages';
 import { lastOpen, open } from './state/opening';
 import { follow } from './state/runs';
@@ -17,6 +17,7 @@ import { listenToTyping } from './ui/typing';
 
 async function begin() {
   about.value = await api.about();
+  if (await goToAddress()) return;
   const name = lastOpen();
   if (name !== null) await open(name);
 }
@@ -24,7 +25,7 @@ async function begin() {
 export function App() {
   useEffect(() => {
     const ends = [follow(), listenToKeys(), listenToTyping()];
-    // A reloaded tab opens its project first; the browser history starts there.
+    // The place of the address is opened first; the browser history starts there.
     void begin()
       .catch(reportFailure)
       .then(() => ends.push(listenToHistory()));

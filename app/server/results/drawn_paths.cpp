@@ -33,9 +33,25 @@ class HeightAboveGround {
 
 }  // namespace
 
+void add_path(DrawnPaths& paths, const Path& path, const Model* model) {
+  constexpr double tolerance = 0.05;  // of the arcs [m]
+  const HeightAboveGround height(model);
+  if (paths.starts.empty()) paths.rocks.origin = origin_near(Vec3(path.rows[0].position_m.data()));
+  paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
+  for_points_along(path, tolerance, [&](const PathPoint& point) {
+    const Vec3 place(point.position_m.data());
+    paths.times.push_back(static_cast<float>(point.time_s));
+    for (int axis = 0; axis < 3; ++axis)
+      paths.positions.push_back(static_cast<float>(place[axis] - paths.rocks.origin[axis]));
+    paths.speeds.push_back(static_cast<float>(Vec3(point.velocity_m_s.data()).norm()));
+    paths.energies.push_back(static_cast<float>(point.ke_total_J / 1000));
+    paths.heights.push_back(height(place));
+    paths.states.push_back(static_cast<std::uint8_t>(point.state));
+  });
+}
+
 DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
                        const Model* model, const RockTest& passes) {
-  constexpr double tolerance = 0.05;  // of the arcs [m]
   const TableRocks& tables = facts.in_tables;
   const ChosenRocks chosen(
       rocks, facts.summary.rocks.done, [&](std::uint64_t rock) { return tables.paths_before(rock); },
@@ -50,23 +66,11 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& fact
                             .what = "does not match endpoints.csv",
                             .why = "rocks are missing in one of the two"});
   };
-  const HeightAboveGround height(model);
   PathReader reader(folder / PathEventRow::file_name);
   while (paths.starts.size() < paths.rocks.rocks.size() && reader.next(wants)) {
     const Path& path = reader.path();
     if (path.rock != paths.rocks.rocks[paths.starts.size()]) throw refuse();
-    if (paths.starts.empty()) paths.rocks.origin = origin_near(Vec3(path.rows[0].position_m.data()));
-    paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
-    for_points_along(path, tolerance, [&](const PathPoint& point) {
-      const Vec3 place(point.position_m.data());
-      paths.times.push_back(static_cast<float>(point.time_s));
-      for (int axis = 0; axis < 3; ++axis)
-        paths.positions.push_back(static_cast<float>(place[axis] - paths.rocks.origin[axis]));
-      paths.speeds.push_back(static_cast<float>(Vec3(point.velocity_m_s.data()).norm()));
-      paths.energies.push_back(static_cast<float>(point.ke_total_J / 1000));
-      paths.heights.push_back(height(place));
-      paths.states.push_back(static_cast<std::uint8_t>(point.state));
-    });
+    add_path(paths, path, model);
   }
   if (paths.starts.size() < paths.rocks.rocks.size()) throw refuse();
   paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));

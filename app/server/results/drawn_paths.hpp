@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "results/end_points.hpp"
+#include "talus/archive/run_folder.hpp"
 #include "talus/campaign/model.hpp"
 
 namespace talus::server {
@@ -22,6 +23,10 @@ struct DrawnPaths {
   std::vector<float> heights;    // of the centre above the ground below it [m]; NaN: unknown
   std::vector<std::uint8_t> states;
 };
+
+/// Appends the points of a path. Its rock must be the next one of `paths.rocks`, whose origin the first path sets.
+/// `model`: for the heights; may be null.
+void add_path(DrawnPaths& paths, const Path& path, const Model* model);
 
 /// `rocks` paths of a finished run, evenly spread over those in its table that pass the test (empty: all), whose number
 /// is `DrawnPaths::rocks.total`. `model`: for the heights; may be null. Throws BadInput if a table is damaged.

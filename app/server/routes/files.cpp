@@ -7,6 +7,7 @@
 #include <chrono>
 #include <mutex>
 
+#include "project_picture.hpp"
 #include "routes/routes.hpp"
 #include "talus/files/file_formats.hpp"
 #include "talus/files/output_file.hpp"
@@ -21,6 +22,7 @@ constexpr std::size_t most_listed = 2'000;  // files in the list
 
 std::string_view kind_of(const fs::path& file) {
   if (file.filename().string().ends_with(study_ending)) return "study";
+  if (file.filename().string().ends_with(".materials.toml")) return "materials";
   if (ending_of(file) == ".toml") return "project";
   const FileFormat* format = format_of(file);
   return format ? name_of(format->kind) : "other";
@@ -63,12 +65,17 @@ Listing listing(const Workplace& workplace) {
       is_cut = true;
       break;
     }
+    const std::string_view kind = kind_of(path);
     const auto modified = std::chrono::file_clock::to_sys(entry->last_write_time(ignored));
     files.push_back({{"name", path.lexically_relative(workplace.folder()).generic_string()},
                      {"bytes", entry->file_size(ignored)},
                      {"modified", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                                               std::chrono::time_point_cast<std::chrono::seconds>(modified))},
-                     {"kind", kind_of(path)}});
+                     {"kind", kind}});
+    if (kind == "project") {
+      const auto picture = picture_time(path);
+      files.back()["picture"] = picture ? Json(*picture) : Json();
+    }
   }
   std::sort(files.begin(), files.end(), [](const Json& a, const Json& b) { return a["name"] < b["name"]; });
   std::sort(drafts.begin(), drafts.end());

@@ -95,9 +95,6 @@ void check_workplace(const Call& call, const Workplace& workplace) {
 }  // namespace
 
 void add_project_routes(Router& router, const Workplace& workplace) {
-  // Compares and writes in one step: tabs may save at the same time.
-  static std::mutex writing;
-
   router.get("/api/project", [&workplace](const Call& call) {
     const std::string name = call.query("file");
     const fs::path file = workplace.project(name);
@@ -113,7 +110,7 @@ void add_project_routes(Router& router, const Workplace& workplace) {
     check_workplace(call, workplace);
     const std::string name = call.text("file"), text = call.text("text");
     const fs::path file = workplace.project(name);
-    const std::lock_guard lock(writing);
+    const std::lock_guard lock(project_writing());
     const auto current = hash_of(read(file, name));
     if (current != saved_in(call)) {
       throw Refusal(409, name, current ? "was changed by another program meanwhile" : "no longer exists", "",
@@ -130,7 +127,7 @@ void add_project_routes(Router& router, const Workplace& workplace) {
     check_workplace(call, workplace);
     const std::string name = call.text("file");
     const fs::path file = workplace.project(name);
-    const std::lock_guard lock(writing);
+    const std::lock_guard lock(project_writing());
     const auto current = draft_of(file);
     if (!may_replace(current, call))
       throw Refusal(409, name, "has another draft", "it was changed in another tab or browser meanwhile");

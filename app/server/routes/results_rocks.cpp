@@ -5,6 +5,7 @@
 #include "results/end_points.hpp"
 #include "results/one_rock.hpp"
 #include "routes/results.hpp"
+#include "talus/statistics/order_statistics.hpp"
 
 namespace talus::server {
 
@@ -56,6 +57,47 @@ std::vector<std::uint32_t> releases_of(const EndPoints& rocks, const ReleaseSpot
   return releases;
 }
 
+/// `releases`: of each rock; empty: unknown.
+Answer paths_answer(const DrawnPaths& paths, Json header, const std::vector<std::uint32_t>& releases = {}) {
+  header.update(head(paths.rocks));
+  header["states"] = state_names();
+  Arrays arrays(std::move(header));
+  add_rocks(arrays, paths.rocks);
+  if (!releases.empty()) add(arrays, "releases", releases);
+  add(arrays, "starts", paths.starts);
+  add(arrays, "times", paths.times);
+  add(arrays, "positions", paths.positions);
+  add(arrays, "speeds", paths.speeds);
+  add(arrays, "energies", paths.energies);
+  add(arrays, "heights", paths.heights);
+  add(arrays, "states", paths.states);
+  return arrays.answer();
+}
+
+constexpr double share_confidence = 0.95;
+
+/// A count of rocks, and the share behind it with its confidence interval.
+Json with_share(const std::string& name, std::uint64_t rocks, std::uint64_t done) {
+  Json json{{"name", name}, {"rocks", rocks}, {"share", nullptr}};
+  if (done == 0) return json;
+  const ShareBounds bounds = share_bounds(rocks, done, share_confidence);
+  json["share"] = {static_cast<double>(rocks) / static_cast<double>(done), bounds.low, bounds.high};
+  return json;
+}
+
+Json json_of(const CountsSoFar& counts, const std::vector<std::string>& barriers) {
+  Json reasons = Json::array(), hit = Json::array();
+  for (std::size_t k = 0; k < counts.ends.size(); ++k)
+    if (counts.ends[k] > 0) reasons.push_back(with_share(name(static_cast<EndReason>(k)), counts.ends[k], counts.done));
+  for (std::size_t k = 0; k < barriers.size(); ++k)
+    hit.push_back(with_share(barriers[k], counts.rocks_hit[k], counts.done));
+  return {{"done", counts.done},
+          {"planned", counts.planned},
+          {"confidence", share_confidence},
+          {"end_reasons", std::move(reasons)},
+          {"rocks_hit", std::move(hit)}};
+}
+
 }  // namespace
 
 void add_rock_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked) {
@@ -66,19 +108,13 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models, AskedRun
     const auto built = models.find(run);
     const DrawnPaths paths =
         drawn_paths(folder, read_facts(run), wanted, built ? &built->model : nullptr, rocks_passing(call, run, asked));
-    Json header = head(paths.rocks);
-    header["states"] = state_names();
-    Arrays arrays(std::move(header));
-    add_rocks(arrays, paths.rocks);
-    if (built) add(arrays, "releases", releases_of(paths.rocks, *asked.releases(run)));
-    add(arrays, "starts", paths.starts);
-    add(arrays, "times", paths.times);
-    add(arrays, "positions", paths.positions);
-    add(arrays, "speeds", paths.speeds);
-    add(arrays, "energies", paths.energies);
-    add(arrays, "heights", paths.heights);
-    add(arrays, "states", paths.states);
-    return arrays.answer();
+    return paths_answer(paths, Json::object(),
+                        built ? releases_of(paths.rocks, *asked.releases(run)) : std::vector<std::uint32_t>{});
+  });
+  router.get(one_run + "/so_far", [&](const Call& call) {
+    const auto watch = runs.watch(call.part(1));
+    const DrawnPaths paths = watch->paths();
+    return paths_answer(paths, {{"so_far", json_of(watch->counts(), paths.rocks.barrier_names)}});
   });
   router.get(one_run + "/endpoints", [&](const Call& call) {
     const std::uint64_t wanted = call.query_number("rocks", 100'000, 1'000'000);

@@ -12,6 +12,7 @@ namespace talus::server {
 
 class AskedRuns;
 class EventHub;
+class ProjectFiles;
 class RunModels;
 class RunStore;
 
@@ -22,6 +23,8 @@ void add_page_routes(Router& router, httplib::Server& server, Session& session,
 void add_about_routes(Router& router, const Workplace& workplace, const std::string& project);
 void add_file_routes(Router& router, const Workplace& workplace);
 void add_project_routes(Router& router, const Workplace& workplace);
+/// Names, deletion and pictures of projects.
+void add_projects_routes(Router& router, const Workplace& workplace, ProjectFiles& projects);
 void add_example_routes(Router& router, const Workplace& workplace);
 void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& shelf);
 void add_run_routes(Router& router, RunStore& runs, EventHub& events);

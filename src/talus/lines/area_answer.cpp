@@ -172,7 +172,8 @@ std::vector<std::uint64_t> AreaAnswer::stopping() const {
   return numbers;
 }
 
-AreaAnswer ask_area(const Model& model, const project::DesignBasis& basis, const RockPaths& paths, const AskedArea& area) {
+AreaAnswer ask_area(const Model& model, const project::DesignBasis& basis, const RockPaths& paths,
+                    const AskedArea& area) {
   AreaAnswer answer{.plan = project::design_check(basis), .entering = {}, .rocks = paths.rocks().size()};
   const auto near = paths.near(area.bounds);
   constexpr std::size_t in_block = 64;

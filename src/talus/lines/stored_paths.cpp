@@ -4,12 +4,12 @@
 
 namespace talus {
 
-void StoredPaths::read(std::size_t place, RockPath &into) const {
+void StoredPaths::read(std::size_t place, RockPath& into) const {
   thread_local StoredTrajectory stored;
-  std::swap(stored.pieces, into.pieces); // its memory is used again
+  std::swap(stored.pieces, into.pieces);  // its memory is used again
   store_.read(place, stored);
   into.record = stored.record;
   std::swap(stored.pieces, into.pieces);
 }
 
-} // namespace talus
+}  // namespace talus

@@ -107,10 +107,12 @@ CampaignOutcome simulate_rocks(const Model& model, const RunOptions& options, co
                                RunSums& sums, TableFiles& tables, Checkpoints& checkpoints) {
   std::vector<Observer*> observers = tables.observers();
   for (SummingObserver* observer : sums.observers()) observers.push_back(observer);
+  if (options.watch != nullptr) observers.push_back(options.watch);
   CampaignOptions campaign = options.campaign;
   campaign.rocks = RockRange{next, options.only_results ? next : all.last};
   campaign.progress = [&](std::uint64_t done) {
     if (options.campaign.progress) options.campaign.progress(done - all.first);
+    if (options.so_far) options.so_far(sums.summary());
     if (done == all.last) return;
     stop_if_memory_is_short(done, options, sums, checkpoints);
     checkpoints.after(done);

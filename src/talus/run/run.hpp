@@ -29,7 +29,11 @@ struct RunOptions {
   Ranks* ranks = nullptr;                       // helpers of this process, which is rank 0; null: this process alone
   const FolderLock* lock = nullptr;             // the caller's lock of the folder; null: the run locks it
   std::uint64_t maps_memory = 0;                // limit for maps [bytes]; 0: half of the memory available
-  bool only_results = false;                    // write the results of the rocks done so far; simulate no more
+  /// Sees the rocks that this process simulates, beside the run's own observers; null: none. Changes no result.
+  Observer* watch = nullptr;
+  /// Called between blocks, with the sums over all rocks so far, including those of a run that is resumed.
+  std::function<void(const Summary&)> so_far;
+  bool only_results = false;  // write the results of the rocks done so far; simulate no more
   /// How long a run that was stopped may take to write the results of the rocks done [s].
   double closing_seconds = 1;
 };

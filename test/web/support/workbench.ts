@@ -2,7 +2,7 @@
 
 import { test as base, expect, type Page } from '@playwright/test';
 import { spawn, type ChildProcess } from 'node:child_process';
-import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, utimesSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
@@ -70,6 +70,11 @@ export class Server {
   }
   write(name: string, content: string | Buffer) {
     writeFileSync(join(this.folder, name), content);
+  }
+  /// Sets the time of a file, in seconds from now.
+  touch(name: string, seconds: number) {
+    const time = Date.now() / 1000 + seconds;
+    utimesSync(join(this.folder, name), time, time);
   }
   removeFile(name: string) {
     rmSync(join(this.folder, name));

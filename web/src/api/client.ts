@@ -6,6 +6,7 @@ import { jsonText } from '../toml/json';
 import { noticingDelay } from './patience';
 import type {
   About,
+  DeletedProject,
   Draft,
   Example,
   FolderFile,
@@ -84,6 +85,24 @@ export const api = {
   openExample: (id: string) => sendJson<{ project: string }>('POST', `/api/examples/${id}`, {}),
   /// The files of the folder, and the projects that have a draft.
   folder: () => getJson<{ files: FolderFile[]; drafts: string[]; more: boolean }>('/api/files'),
+  /// Saves a picture of a project, also while the page closes.
+  keepPicture: (file: string, picture: Blob) =>
+    fetch(`/api/pictures/${name(file)}`, {
+      method: 'PUT',
+      headers: { 'Content-Type': 'application/octet-stream' },
+      body: picture,
+      keepalive: true,
+    }),
+  pictureAddress: (file: string, time: number) => `/api/pictures/${name(file)}?time=${time}`,
+  /// Renames a project with its runs; returns its new name in the folder.
+  renameProject: async (file: string, newName: string) =>
+    (await sendJson<{ file: string }>('PATCH', `/api/projects/${name(file)}`, { name: newName })).file,
+  /// Moves a project with its runs to the deleted ones.
+  deleteProject: (file: string) => ask('DELETE', `/api/projects/${name(file)}`),
+  deleted: async () => (await getJson<{ deleted: DeletedProject[] }>('/api/deleted')).deleted,
+  restore: async (id: string) => (await sendJson<{ file: string }>('POST', `/api/deleted/${id}/restore`, {})).file,
+  /// Deletes a project for good.
+  erase: (id: string) => ask('DELETE', `/api/deleted/${id}`),
   verification: () => getJson<Verification>('/api/verification'),
   upload: async (file: string, content: Blob, replace = false) => {
     let response: Response;

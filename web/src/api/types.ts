@@ -45,12 +45,22 @@ export interface LibraryMaterial {
   sources: LibrarySource[];
 }
 
-export type FileKind = 'project' | 'study' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
+export type FileKind = 'project' | 'study' | 'materials' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
 export interface FolderFile {
   name: string;
   bytes: number;
   modified: string;
   kind: FileKind;
+  /// Of a project: when its picture was saved [ms since 1970]; null: it has none.
+  picture?: number | null;
+}
+export interface DeletedProject {
+  id: string;
+  /// Its name before.
+  file: string;
+  deleted: string;
+  /// The number of its runs.
+  runs: number;
 }
 
 export interface Draft {

@@ -2,7 +2,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import type { LineAnswer, PolygonAnswer } from '../api/line';
-import { dragging, tool } from '../scene/tool';
+import { tool } from '../scene/tool';
 import { crossingRocks, filter } from '../state/filter';
 import { hasResults, shown } from '../state/runs';
 import { isAsking } from '../state/view';
@@ -175,7 +175,7 @@ export function AskCard() {
       tabIndex={-1}
       onKeyDown={(event) => {
         const isTyping = event.target instanceof HTMLInputElement && event.target.type === 'text';
-        if (event.key === 'Escape' && !isTyping && !tool.value && !dragging.value) isAsking.value = false;
+        if (event.key === 'Escape' && !isTyping && !tool.value) isAsking.value = false;
       }}
     >
       <header>

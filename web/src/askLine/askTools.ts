@@ -5,7 +5,7 @@ import { draw } from '../model/drawing';
 import { dimension } from '../model/place';
 import { pathOf } from '../model/names';
 import { rounded } from '../model/plan';
-import { grips, tool, useTool, type Drag } from '../scene/tool';
+import { grips, tool, useTool, type GripDrag } from '../scene/tool';
 import { valueAt } from '../state/document';
 import { model } from '../state/model';
 import { isAsking } from '../state/view';
@@ -73,12 +73,12 @@ const nearVertex = 10; // pixels
 const nearLine = 7;
 
 /// The drag of a corner, or of the whole.
-function dragOf(now: Asked, corners: readonly Point3[], corner: number | null, from: Point2 | null): Drag {
+function dragOf(now: Asked, corners: readonly Point3[], corner: number | null, from: Point2 | null): GripDrag {
   const first = corners.map(([x, y]): Point2 => [x, y]);
   let begun = from;
   const is2d = dimension.peek() === 2;
   return {
-    move({ point: [x, y] }) {
+    move([x, y]) {
       begun ??= [x, y];
       const [dx, dy] = [x - begun[0], y - begun[1]];
       const next = corner === null ? moved(first, dx, dy) : first.with(corner, [x, y]);

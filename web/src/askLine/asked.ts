@@ -8,10 +8,9 @@ import { recordBeside, opening } from '../state/document';
 import { crossingRocks, filter } from '../state/filter';
 import { keptOfProject, ofProject } from '../state/ofProject';
 import { hasResults, shown } from '../state/runs';
-import { isAsking } from '../state/view';
+import { askedText as kept, isAsking } from '../state/view';
 import { askedOf, missingPoints, shapeOf, textOf, type Asked } from './shape';
 
-const kept = keptOfProject<string>('asked line', '');
 export const asked = computed<Asked | null>(() => (kept.value === '' ? null : askedOf(kept.value)));
 /// The points while they are dragged.
 export const draggedPoints = ofProject<Point2[] | null>(null);

@@ -5,7 +5,9 @@ const line: Asked = { kind: 'line', points: [[1, 2], [3, 4]] };
 test('what is asked is kept as text; anything else is nothing', () => {
   for (const one of [line, { kind: 'barrier', name: 'Net "1"' }, { kind: 'polygon', points: [] }] as Asked[])
     expect(askedOf(textOf(one))).toEqual(one);
-  for (const text of ['', '{', '{"kind":"line","points":[[1]]}', '{"kind":"line","points":[[1,null]]}', '{"kind":"barrier"}', '7'])
+  expect(textOf(line)).toBe('line~1,2~3,4');
+  expect(askedOf('barrier~a~b')).toEqual({ kind: 'barrier', name: 'a~b' });
+  for (const text of ['', 'line~1', 'line~1,2~3,', 'line~1,2,3', 'polygon~a,b', 'barrier', '7'])
     expect(askedOf(text)).toBeNull();
 });
 test('as in a request', () => {

@@ -16,17 +16,17 @@ export function missingPoints(asked: Asked, dimension: 2 | 3): number {
 export const shapeOf = (asked: Asked): AskedShape =>
   asked.kind === 'barrier' ? { barrier: asked.name } : asked.kind === 'line' ? { line: asked.points } : { polygon: asked.points };
 
-/// The stored text of what is asked, and back; anything else is null.
-export const textOf = (asked: Asked | null): string => (asked ? JSON.stringify(asked) : '');
+/// As text, for the browser and addresses: "line~15,0~15,50", "barrier~Net"; and back. Anything else is null.
+export function textOf(asked: Asked | null): string {
+  if (!asked) return '';
+  return asked.kind === 'barrier' ? `barrier~${asked.name}` : [asked.kind, ...asked.points.map(([x, y]) => `${x},${y}`)].join('~');
+}
 export function askedOf(text: string): Asked | null {
-  try {
-    const found = JSON.parse(text) as Asked;
-    if (found.kind === 'barrier') return typeof found.name === 'string' ? found : null;
-    const isPoint = (point: unknown) => Array.isArray(point) && point.length === 2 && point.every(Number.isFinite);
-    return (found.kind === 'line' || found.kind === 'polygon') && found.points.every(isPoint) ? found : null;
-  } catch {
-    return null;
-  }
+  const [kind = '', ...parts] = text.split('~');
+  if (kind === 'barrier') return parts.length > 0 ? { kind, name: parts.join('~') } : null;
+  if (kind !== 'line' && kind !== 'polygon') return null;
+  const points = parts.map((part) => part.split(',').map((number) => (number === '' ? NaN : Number(number))));
+  return points.every((point) => point.length === 2 && point.every(Number.isFinite)) ? { kind, points: points as Point2[] } : null;
 }
 
 export const moved = (points: readonly Point2[], dx: number, dy: number): Point2[] => points.map(([x, y]) => [x + dx, y + dy]);

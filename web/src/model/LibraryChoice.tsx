@@ -1,8 +1,10 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { LibraryMaterial } from '../api/types';
 import { rowsOf } from '../state/document';
+import { attempt, reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
 import { library, loadLibrary } from './library';
+import { addOwn, loadOwn, ownMaterials, removeOwn } from './ownMaterials';
 import type { KeyOf } from './names';
 import { freshName } from './place';
 import { add } from './things';
@@ -22,54 +24,104 @@ function addMaterial({ key, name }: LibraryMaterial) {
   add('material', { name: isTaken ? freshName(['material'], name) : name, like: key }, `add ${name}`);
 }
 
-/// Adds a material with the values of one in the library.
+interface Row {
+  name: string;
+  /// Where the values are from.
+  from: string;
+  values: Record<string, unknown>;
+  add: () => void;
+  remove?: () => void;
+}
+
+function Materials({ caption, rows }: { caption: string; rows: Row[] }) {
+  const [asked, ask] = useState<string | null>(null);
+  const columns = allColumns.filter(([key]) => rows.some(({ values }) => values[key] !== undefined));
+  return (
+    <div class="table-scroll">
+      <table>
+        <caption>{caption}</caption>
+        <thead>
+          <tr>
+            <th scope="col">Material</th>
+            {columns.map(([key, title]) => (
+              <th key={key} scope="col" class="number">
+                {title}
+              </th>
+            ))}
+            <th scope="col">
+              <span class="visually-hidden">Add</span>
+            </th>
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map(({ name, from, values, add: addIt, remove }) => (
+            <tr key={name}>
+              <th scope="row" title={from}>
+                {name}
+              </th>
+              {columns.map(([key]) => (
+                <td key={key} class="number">
+                  {valueText(values[key])}
+                </td>
+              ))}
+              <td>
+                <button class="button" aria-label={`Add ${name}`} onClick={addIt}>
+                  Add
+                </button>
+                {remove && (
+                  <button
+                    class="button plain danger"
+                    aria-label={`Delete ${name} from my materials${asked === name ? ' for good' : ''}`}
+                    onClick={() => (asked === name ? remove() : ask(name))}
+                  >
+                    {asked === name ? 'Delete for good?' : 'Delete'}
+                  </button>
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+/// Adds a material with the values of one in the library, or in the library of one's own.
 export function LibraryChoice() {
   const [isOpen, open] = useState(false);
   useEffect(loadLibrary, []);
-  const columns = allColumns.filter(([key]) => library.value.some(({ values }) => values[key] !== undefined));
+  const start = () => {
+    void loadOwn().catch(reportFailure);
+    open(true);
+  };
+  const own = ownMaterials.value.map((material): Row => {
+    const { name, values, from, on } = material;
+    const inherited = library.value.find(({ key }) => key === values.like)?.values;
+    return {
+      name,
+      from: [from && `saved from ${from}`, on].filter(Boolean).join(', '),
+      values: { ...inherited, ...values },
+      add: () => addOwn(material),
+      remove: () => void attempt('own materials', () => removeOwn(name)),
+    };
+  });
   return (
     <>
-      <button class="button plain" aria-haspopup="dialog" onClick={() => open(true)}>
+      <button class="button plain" aria-haspopup="dialog" onClick={start}>
         + From the library…
       </button>
       {isOpen && (
         <Dialog title="Add a material from the library" close={() => open(false)}>
-          <div class="table-scroll">
-            <table>
-              <thead>
-                <tr>
-                  <th scope="col">Material</th>
-                  {columns.map(([key, title]) => (
-                    <th key={key} scope="col" class="number">
-                      {title}
-                    </th>
-                  ))}
-                  <th scope="col">
-                    <span class="visually-hidden">Add</span>
-                  </th>
-                </tr>
-              </thead>
-              <tbody>
-                {library.value.map((material) => (
-                  <tr key={material.key}>
-                    <th scope="row" title={material.sources.map(({ text }) => text).join('\n')}>
-                      {material.name}
-                    </th>
-                    {columns.map(([key]) => (
-                      <td key={key} class="number">
-                        {valueText(material.values[key])}
-                      </td>
-                    ))}
-                    <td>
-                      <button class="button" aria-label={`Add ${material.name}`} onClick={() => addMaterial(material)}>
-                        Add
-                      </button>
-                    </td>
-                  </tr>
-                ))}
-              </tbody>
-            </table>
-          </div>
+          {own.length > 0 && <Materials caption="My materials" rows={own} />}
+          <Materials
+            caption="From the literature"
+            rows={library.value.map((material) => ({
+              name: material.name,
+              from: material.sources.map(({ text }) => text).join('\n'),
+              values: material.values,
+              add: () => addMaterial(material),
+            }))}
+          />
         </Dialog>
       )}
     </>

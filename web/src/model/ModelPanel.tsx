@@ -15,6 +15,7 @@ import { problemsOfTable, sentenceOf, toneOf } from './awaited';
 import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
 import { LibraryNotice } from './LibraryNotice';
+import { OwnMaterialButton } from './OwnMaterialButton';
 import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
 import { ProblemList } from './ProblemList';
@@ -101,6 +102,7 @@ function FormPage({ path }: { path: Path }) {
           <button class="button" onClick={() => copy(key, index)}>
             Copy
           </button>
+          {key === 'material' && <OwnMaterialButton path={path} />}
           <button class="button danger" onClick={() => remove(key, index)}>
             Delete {key}
           </button>

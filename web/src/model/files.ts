@@ -42,7 +42,7 @@ const kinds: Partial<Record<Name, FileKind[]>> = {
 
 export function fittingFiles(key: Name, list: readonly FolderFile[]): FolderFile[] {
   const wanted = kinds[key];
-  return list.filter(({ kind }) => (wanted ? wanted.includes(kind) : kind !== 'project'));
+  return list.filter(({ kind }) => (wanted ? wanted.includes(kind) : kind !== 'project' && kind !== 'materials'));
 }
 
 /// The chosen files of an input. Clears the input, so that the same files can be chosen again.

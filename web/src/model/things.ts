@@ -33,11 +33,11 @@ function first(key: TableName): Row {
 }
 
 /// Adds an entry as one step and opens its form.
-export function add(key: TableName, more: Row = {}, what = `add a ${key}`) {
+export function add(key: TableName, more: Row = {}, what = `add a ${key}`, comment?: string) {
   const value = { name: freshName(family(key), words[key] ?? key), ...first(key), ...more };
   const index = rowsOf(key).length;
   const ground = key === 'material' && index === 1 ? defaultGround() : [];
-  if (edit(what, [{ append: [key], value }, ...ground])) chosen.value = [key, index];
+  if (edit(what, [{ append: [key], value, ...(comment !== undefined && { comment }) }, ...ground])) chosen.value = [key, index];
 }
 
 /// With a second material the ground needs a default material, unless materials are already assigned.

@@ -1,8 +1,8 @@
 // Playback of the shown run, synchronized between views.
 
-import { numberText } from '../ui/format';
+import { counted, numberText } from '../ui/format';
 import { playbackSpeed } from '../view/settings';
-import { shownPaths } from './drawnPaths';
+import { shownPaths, type SoFar } from './drawnPaths';
 import { endTime, goTo, isPlaying, pause, play, speeds, time } from './playback';
 import './timeBar.css';
 
@@ -14,7 +14,19 @@ function key(event: KeyboardEvent) {
   else play();
 }
 
+/// Of a run in progress, whose trajectories are not complete.
+function Growing({ of }: { of: SoFar }) {
+  return (
+    <p class="time-bar growing" role="status">
+      <progress max={of.planned} value={of.done} aria-hidden="true" />
+      In progress: some of the trajectories of the first {of.done.toLocaleString('en')} of {counted(of.planned, 'rock')}
+    </p>
+  );
+}
+
 export function TimeBar() {
+  const soFar = shownPaths.value?.header.so_far;
+  if (soFar) return <Growing of={soFar} />;
   if (!shownPaths.value || endTime.value === 0) return null;
   const [now, end] = [time.value, endTime.value];
   const text = `${now.toFixed(end < 10 ? 2 : 1)} of ${end.toFixed(end < 10 ? 2 : 1)} s`;

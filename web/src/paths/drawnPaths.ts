@@ -1,10 +1,25 @@
 // The trajectories of the shown run and of the compared one, as arrays for drawing in both views.
 
 import { effect, signal, type ReadonlySignal } from '@preact/signals';
-import { getArrays } from '../api/client';
+import { getArrays, Refused } from '../api/client';
 import type { Point3, Run } from '../api/types';
 import { reportFailure, resolve } from '../state/messages';
 import { compared, hasResults, shown } from '../state/runs';
+
+/// A number of rocks, and their share with the ends of its confidence interval; null before the first rock.
+export interface CountSoFar {
+  name: string;
+  rocks: number;
+  share: [number, number, number] | null;
+}
+/// The counts of a run in progress, of all rocks that are finished.
+export interface SoFar {
+  done: number;
+  planned: number;
+  confidence: number;
+  end_reasons: CountSoFar[];
+  rocks_hit: CountSoFar[];
+}
 
 export interface PathsHeader {
   /// The number of rocks with a trajectory in paths.csv; the drawn ones are evenly selected from them.
@@ -16,6 +31,8 @@ export interface PathsHeader {
   reasons: string[];
   states: string[];
   barriers: string[];
+  /// Only while the run is in progress.
+  so_far?: SoFar;
 }
 
 export interface DrawnPaths {
@@ -49,8 +66,8 @@ const mostRocks = 10_000;
 const mostKept = 4;
 const kept = new Map<string, Promise<DrawnPaths>>();
 
-async function load(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
-  const address = `/api/runs/${encodeURIComponent(run.id)}/paths?rocks=${mostRocks}`;
+async function load(run: Run, what: string, signal: AbortSignal): Promise<DrawnPaths> {
+  const address = `/api/runs/${encodeURIComponent(run.id)}/${what}`;
   const { header, arrays } = await getArrays<PathsHeader>(address, signal);
   const { max_energies: maxEnergies, max_heights: maxHeights, ...others } = arrays;
   return { run: run.id, header, maxEnergies, maxHeights, ...others } as DrawnPaths;
@@ -61,7 +78,7 @@ const keyOf = (run: Run) => `${run.id} ${run.done}`;
 
 function fetched(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
   const key = keyOf(run);
-  const answer = kept.get(key) ?? load(run, signal);
+  const answer = kept.get(key) ?? load(run, `paths?rocks=${mostRocks}`, signal);
   kept.delete(key);
   kept.set(key, answer);
   answer.catch(() => kept.get(key) === answer && kept.delete(key));
@@ -69,27 +86,48 @@ function fetched(run: Run, signal: AbortSignal): Promise<DrawnPaths> {
   return answer;
 }
 
+const betweenLooks = 1500; // ms
+
+/// Looks at a run in progress from time to time, until `signal` is aborted.
+async function watch(run: Run, signal: AbortSignal, take: (paths: DrawnPaths) => void) {
+  for (;;) {
+    await new Promise((done) => setTimeout(done, betweenLooks / 2)); // a short run is over before
+    if (signal.aborted) return;
+    try {
+      take(await load(run, 'so_far', signal));
+    } catch (error) {
+      if (signal.aborted) return;
+      // 404: it is not being simulated yet, or no longer. If the server does not respond, the top bar says so.
+      if (error instanceof Refused && error.status !== 404) throw error;
+    }
+    await new Promise((done) => setTimeout(done, betweenLooks / 2));
+  }
+}
+
 function pathsOf(run: ReadonlySignal<Run | null>): ReadonlySignal<DrawnPaths | null> {
   const paths = signal<DrawnPaths | null>(null);
   let asking: AbortController | undefined;
   let asked = '';
   effect(() => {
-    const now = run.value && hasResults(run.value) ? run.value : null;
-    const key = now ? keyOf(now) : '';
+    const [now, isUnderWay] = [run.value, run.value?.state === 'running'];
+    const key = !now ? '' : isUnderWay ? `${now.id} under way` : hasResults(now) ? keyOf(now) : '';
     if (key === asked) return;
     asked = key;
     asking?.abort();
     const own = (asking = new AbortController());
-    if (paths.peek()?.run !== now?.id) paths.value = null;
-    if (!now) return;
+    // What a run had found so far stays until its results are there.
+    if (paths.peek()?.run !== now?.id || key === '') paths.value = null;
+    if (!now || key === '') return;
+    const fail = (error: unknown) => {
+      if (!own.signal.aborted) reportFailure(error, `paths of ${now.id}`);
+    };
+    if (isUnderWay) return void watch(now, own.signal, (found) => !own.signal.aborted && (paths.value = found)).catch(fail);
     fetched(now, own.signal).then(
       (found) => {
         resolve(`paths of ${now.id}`);
         if (!own.signal.aborted) paths.value = found.rocks.length > 0 ? found : null;
       },
-      (error: unknown) => {
-        if (!own.signal.aborted) reportFailure(error, `paths of ${now.id}`);
-      },
+      fail,
     );
   });
   return paths;

@@ -7,6 +7,7 @@ import { counted } from '../ui/format';
 import { stopsOf, type LegendData } from '../view/legends';
 import { runColour } from '../view/theme';
 import { colouring } from './colouring';
+import { shownPaths } from './drawnPaths';
 import { leftByFilter } from './shownPassing';
 
 export function pathLegends(): LegendData[] {
@@ -29,6 +30,8 @@ export function pathLegends(): LegendData[] {
   const count = leftByFilter.value;
   const left = count && `${count.left.toLocaleString('en')} of ${counted(count.of, 'trajectory', 'trajectories')}`;
   if (left) list.push({ kind: 'remark', text: left, isWarning: false });
+  const soFar = shownPaths.value?.header.so_far;
+  if (soFar) list.push({ kind: 'remark', text: `In progress: ${soFar.done.toLocaleString('en')} of ${counted(soFar.planned, 'rock')}`, isWarning: true });
   if (isOutdated.value) list.push({ kind: 'remark', text: 'Trajectories from an earlier version of the project', isWarning: true });
   return list;
 }

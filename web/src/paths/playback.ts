@@ -54,6 +54,7 @@ effect(() => {
 // New trajectories are shown complete; those of a run started on this page are played once.
 effect(() => {
   const paths = shownPaths.value;
+  if (paths?.header.so_far) return; // it is shown up to the time of those before
   isPlaying.value = false;
   moment.value = Infinity;
   if (paths && startedHere.delete(paths.run) && !wantsLessMotion()) untracked(play);

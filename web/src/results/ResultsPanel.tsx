@@ -20,6 +20,7 @@ import { Maps } from './Maps';
 import { Outdated } from './Outdated';
 import { Overview } from './Overview';
 import { Rock } from './Rock';
+import { SoFarTab } from './SoFarTab';
 import { Splitter } from './Splitter';
 import './results.css';
 
@@ -64,7 +65,7 @@ const halts: Partial<Record<RunState, string>> = {
 function NoResults({ run }: { run: Run }) {
   if (run.state === 'waiting') return <div class="empty">This run is waiting for other runs to finish.</div>;
   if (run.state === 'running')
-    return <div class="empty">The run is in progress. Results appear when it finishes or is stopped.</div>;
+    return <SoFarTab run={run} />;
   if (run.state === 'done') return <div class="empty">The results of this run are no longer in its folder.</div>;
   if (halts[run.state])
     return (

@@ -1,7 +1,15 @@
+import { dragHint } from '../drag/drag';
 import { finishTool, tool, useTool } from './tool';
 
 /// The hint of the active tool.
 export function ToolHint() {
+  if (dragHint.value !== null)
+    return (
+      <div class="tool-hint" role="status">
+        <strong>{dragHint.value}</strong>
+        <span>Ctrl rounds to a grid, Alt does not snap, Escape cancels.</span>
+      </div>
+    );
   if (!tool.value) return null;
   return (
     <div class="tool-hint" role="status">

@@ -10,6 +10,7 @@ import { markColours } from '../view/colours';
 import { drapedOpacity } from '../state/view';
 import { shownMap } from '../maps/shownMap';
 import type { Box } from '../view/framing';
+import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
 import { watchOver } from '../view/over';
 import { contours, exaggeration, layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
@@ -18,7 +19,7 @@ import { Frame } from './frame';
 import { clear, dots, line, patch, walls } from './marks';
 import { MeshTerrain } from './meshTerrain';
 import { NameLayer, type Name } from './nameLayer';
-import { look, type NamedView } from './namedViews';
+import { look, namedViews, type NamedView } from './namedViews';
 import { mapTexture } from './mapTexture';
 import * as picture from './picture';
 import { Stage } from './stage';
@@ -76,6 +77,9 @@ export class ModelScene {
       effect(() => this.drape()),
       effect(() => this.stretch(exaggeration.value)),
       effect(() => this.draw(overlays.value)),
+      effect(() => {
+        if (wantedCamera.value !== null && !picture.isLoading.value && this.shownFile === file.value) this.takeCamera();
+      }),
       effect(() => {
         this.seeders.visible = layers.seeders.value;
         this.barriers.visible = layers.barriers.value;
@@ -241,6 +245,34 @@ export class ModelScene {
     const known = picture.camera.peek();
     if (known.metresPerPixel !== metresPerPixel || known.heading !== heading)
       picture.camera.value = { metresPerPixel, heading };
+    if (this.shownFile === file.peek()) camera.value = this.cameraNow();
+  }
+
+  /// What the view shows, for the page's address.
+  private cameraNow(): string | null {
+    const name = this.unmovedView();
+    if (name === 'oblique') return null;
+    if (name !== null && name !== 'fit') return name;
+    const { camera: eye, controls } = this.stage;
+    const places = [eye.position, controls.target].map(({ x, y, z }) => this.frame.project({ x, y, z: z / this.stage.world.scale.z }));
+    return cameraText(places.flat());
+  }
+
+  /// Shows what an address asks for.
+  private takeCamera() {
+    const wanted = wantedCamera.peek();
+    wantedCamera.value = null;
+    if (wanted === null) return;
+    const name = (Object.keys(namedViews) as NamedView[]).find((each) => each === wanted);
+    if (name) return this.view(name);
+    const numbers = cameraNumbers(wanted, 6);
+    if (!numbers) return;
+    const { camera: eye, controls, world } = this.stage;
+    const place = (from: number) => this.local(numbers.slice(from, from + 3) as unknown as Point3).multiply(new Vector3(1, 1, world.scale.z));
+    eye.position.copy(place(0));
+    controls.target.copy(place(3));
+    controls.update();
+    this.stage.invalidate();
   }
 
   view(name: NamedView) {

@@ -1,8 +1,9 @@
 // The entry to all modules that use three.js, loaded when a scene is first shown.
 
 import type { AnimatedView } from '../animation/film';
-import { chosenRock, resultsTab } from '../state/view';
 import { toggleRelease } from '../askLine/sources';
+import { showHandles } from '../drag/handles';
+import { chosen, chosenRock, resultsTab } from '../state/view';
 import { ModelScene } from './modelScene';
 import { ObservedScene } from './observedScene';
 import { Pointing } from './pointing';
@@ -10,6 +11,8 @@ import { RunScene } from './runScene';
 import { animatedScene, scenePicture } from './scenePrint';
 import { SourceScene } from './sourceScene';
 import type { SheetPicture } from '../view/sheet';
+import { offerThumbnail } from '../view/thumbnail';
+import { sceneThumbnail } from './sceneThumbnail';
 
 export interface OpenScene {
   scene: ModelScene;
@@ -26,19 +29,26 @@ export function openScene(host: HTMLElement): OpenScene {
   const runs = new RunScene(scene);
   const observed = new ObservedScene(scene);
   const sources = new SourceScene(scene);
-  // A click on a release place shows only its rocks. Otherwise, without a tool, a click selects the rock of a trajectory; next to all trajectories it deselects.
-  pointing.onClick = ({ clientX, clientY }) => {
-    const place = sources.placeAt(clientX, clientY);
+  pointing.rockAt = (x, y) => runs.rockAt(x, y);
+  // Without a tool, a click on a release place shows only its rocks. Otherwise it selects the rock of a trajectory, or else a
+  // seeder or barrier; next to all it deselects.
+  pointing.onClick = (event) => {
+    const place = sources.placeAt(event.clientX, event.clientY);
     if (place !== null) return toggleRelease(place);
-    chosenRock.value = runs.rockAt(clientX, clientY);
+    chosenRock.value = runs.rockAt(event.clientX, event.clientY);
     if (chosenRock.value !== null) resultsTab.value = 'rock';
+    else chosen.value = pointing.thingAt(event) ?? chosen.value;
   };
+  const endHandles = showHandles();
+  const endOffering = offerThumbnail(() => sceneThumbnail(scene));
   return {
     scene,
     pointing,
     picture: () => scenePicture(scene),
     animated: animatedScene(scene),
     dispose() {
+      endOffering();
+      endHandles();
       pointing.dispose();
       runs.dispose();
       observed.dispose();

@@ -5,45 +5,59 @@ import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
 import { notify } from '../state/messages';
 import { model } from '../state/model';
+import { Drag, dragOf, followPointer, handleAt, type DragView } from '../drag/drag';
+import { openMenu } from '../drag/menu';
+import { thingAt } from '../drag/things';
 import type { Pixel } from '../view/nearness';
 import type { ModelScene } from './modelScene';
 import { namedViews, type NamedView } from './namedViews';
 import * as picture from './picture';
-import { dragging, endDrag, finishTool, gripAt, inTurn, tool, type Drag, type Place } from './tool';
+import { finishTool, gripAt, inTurn, tool, type Place } from './tool';
 
 const drag = 4; // pixels of movement that turn a click into a drag
 
 export class Pointing {
   private down: { x: number; y: number } | null = null;
-  /// Where something was grabbed, until it is moved.
-  private grabbed: { x: number; y: number } | null = null;
   private last: PointerEvent | null = null;
   private waiting = 0;
   private isRefining = false;
   /// Called for clicks without a tool.
   onClick: (event: PointerEvent) => void = () => {};
+  /// The rock of the trajectory at a place of the window; null: none.
+  rockAt: (x: number, y: number) => number | null = () => null;
   private readonly listening = new AbortController();
+  /// A press of the right button, until it moves the view.
+  private right: { x: number; y: number } | null = null;
 
   constructor(private readonly scene: ModelScene) {
     const canvas = scene.stage.renderer.domElement;
     const on = <K extends keyof HTMLElementEventMap>(type: K, task: (event: HTMLElementEventMap[K]) => void) =>
       canvas.addEventListener(type, task, { signal: this.listening.signal });
-    // Before the controls of the camera, which would turn the view.
-    canvas.addEventListener('pointerdown', (event) => this.grab(event), { capture: true, signal: this.listening.signal });
+    // Before the controls of the view see it.
+    scene.stage.host.addEventListener('pointerdown', (event) => this.press(event), { capture: true, signal: this.listening.signal });
+    on('contextmenu', (event) => {
+      event.preventDefault();
+      if (event.button !== 2) this.menuByKey(); // of the keyboard
+    });
     on('pointerdown', (event) => {
       canvas.focus({ preventScroll: true });
+      this.right = event.button === 2 ? { x: event.clientX, y: event.clientY } : null;
       this.down = event.button === 0 ? { x: event.clientX, y: event.clientY } : null;
     });
-    on('pointercancel', () => endDrag('cancel'));
     on('pointerup', (event) => {
-      if (dragging.peek()) return this.drop(event);
+      const { right } = this;
+      this.right = null;
+      if (right && event.button === 2 && Math.hypot(event.clientX - right.x, event.clientY - right.y) < drag) {
+        if (!tool.value) this.menu(this.pixelOf(event), { x: event.clientX, y: event.clientY });
+        return;
+      }
       const still = this.down && Math.hypot(event.clientX - this.down.x, event.clientY - this.down.y) < drag;
       this.down = null;
       if (still) void inTurn(() => this.click(event));
     });
     on('pointermove', (event) => {
       this.last = event;
-      if (event.buttons === 0 || dragging.peek()) this.waiting ||= requestAnimationFrame(() => this.move());
+      if (event.buttons === 0) this.waiting ||= requestAnimationFrame(() => this.move());
     });
     on('pointerleave', () => {
       this.last = null;
@@ -59,40 +73,57 @@ export class Pointing {
     on('keydown', (event) => this.key(event));
   }
 
-  /// The drag that would begin at a position of the window.
-  private gripAt({ clientX, clientY }: PointerEvent): Drag | null {
-    const box = this.scene.stage.renderer.domElement.getBoundingClientRect();
-    const pixelOf = (point: Point3): Pixel | null => {
-      const at = this.scene.stage.pixelOf(this.scene.local(point));
-      return at && [at.x, at.y];
-    };
-    return gripAt(pixelOf, [clientX - box.left, clientY - box.top]);
+  private get box() {
+    return this.scene.stage.renderer.domElement.getBoundingClientRect();
+  }
+  private pixelOf(event: { clientX: number; clientY: number }): Pixel {
+    const { left, top } = this.box;
+    return [event.clientX - left, event.clientY - top];
+  }
+  private readonly view: DragView = {
+    pixelOf: (point) => {
+      const pixel = this.scene.stage.pixelOf(this.scene.local(point));
+      return pixel && [pixel.x, pixel.y];
+    },
+    placeAt: ([x, y]) => {
+      const { left, top } = this.box;
+      return this.placeAt(left + x, top + y)?.point ?? null;
+    },
+    metresPerPixel: () => this.scene.stage.metresPerPixel,
+  };
+
+  private isOverHandle(event: PointerEvent): boolean {
+    const at = this.pixelOf(event);
+    return gripAt(this.view.pixelOf, at) !== null || handleAt(this.view, at) !== null;
   }
 
-  private grab(event: PointerEvent) {
-    if (event.button !== 0) return;
-    const drag = this.gripAt(event);
-    if (!drag) return;
-    event.stopImmediatePropagation();
-    const canvas = this.scene.stage.renderer.domElement;
-    canvas.focus({ preventScroll: true });
-    canvas.setPointerCapture(event.pointerId);
-    this.grabbed = { x: event.clientX, y: event.clientY };
-    dragging.value = drag;
+  thingAt = (event: PointerEvent) => thingAt(this.view, this.pixelOf(event));
+
+  /// Takes a press on a handle away from the controls of the view.
+  private press(event: PointerEvent) {
+    if (event.button !== 0 || tool.value || event.target !== this.scene.stage.renderer.domElement) return;
+    const at = this.pixelOf(event);
+    const grip = gripAt(this.view.pixelOf, at);
+    const what = grip ? null : handleAt(this.view, at);
+    if (!grip && !what) return;
+    event.stopPropagation();
+    this.scene.stage.renderer.domElement.focus({ preventScroll: true });
+    followPointer(grip ? dragOf(this.view, grip) : new Drag(this.view, what!, at), event, (now) => this.pixelOf(now), (dragged, up) => {
+      if (!dragged && up) void inTurn(() => this.click(up));
+    });
   }
 
-  /// Moves what is dragged, once the pointer has left the place where it was grabbed.
-  private drag({ clientX, clientY }: PointerEvent, place: Place | null) {
-    const { grabbed } = this;
-    if (grabbed && Math.hypot(clientX - grabbed.x, clientY - grabbed.y) < drag) return;
-    this.grabbed = null;
-    if (place) dragging.peek()?.move(place);
+  private menu(at: Pixel, place: { x: number; y: number }) {
+    openMenu(this.view, at, place, this.rockAt(place.x, place.y), (point) => [
+      { title: 'Centre the view here', act: () => this.centre(this.scene.local(point)) },
+    ]);
   }
 
-  /// Ends a drag at the pointer, even if the last movement was not shown yet.
-  private drop(event: PointerEvent) {
-    this.drag(event, this.placeAt(event.clientX, event.clientY));
-    endDrag('drop');
+  /// At the middle of the view.
+  private menuByKey() {
+    if (tool.value) return;
+    const { left, top, width, height } = this.box;
+    this.menu([width / 2, height / 2], { x: left + width / 2, y: top + height / 2 });
   }
 
   placeAt(x: number, y: number): Place | null {
@@ -129,10 +160,8 @@ export class Pointing {
     this.waiting = 0;
     if (!this.last) return;
     const place = this.placeAt(this.last.clientX, this.last.clientY);
+    this.scene.stage.renderer.domElement.style.cursor = this.isOverHandle(this.last) ? 'move' : '';
     picture.pointer.value = place;
-    const { style } = this.scene.stage.renderer.domElement;
-    style.cursor = dragging.peek() ? 'grabbing' : this.gripAt(this.last) ? 'grab' : '';
-    if (dragging.peek()) this.drag(this.last, place);
     tool.value?.move?.(place);
     void this.refine();
   }

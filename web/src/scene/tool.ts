@@ -83,30 +83,23 @@ effect(() => {
 });
 
 /// The drag of a mark in a view.
-export interface Drag {
-  /// The place on the ground below the pointer.
-  move(place: Place): void;
+export interface GripDrag {
+  /// To a place on the ground.
+  move(to: Point3): void;
   drop(): void;
   cancel(): void;
 }
 /// Returns the drag that would begin at a pixel; null if it has nothing to drag there. `pixelOf` returns the pixel of a
 /// point of the project; null outside the view.
-export type Grip = (pixelOf: (point: Point3) => Pixel | null, at: Pixel) => Drag | null;
-/// Marks that can be dragged while no tool is active.
+export type Grip = (pixelOf: (point: Point3) => Pixel | null, at: Pixel) => GripDrag | null;
+/// Marks beside the project that can be dragged while no tool is active.
 export const grips = new Set<Grip>();
-/// The drag in progress.
-export const dragging = signal<Drag | null>(null);
 
-export function gripAt(pixelOf: (point: Point3) => Pixel | null, at: Pixel): Drag | null {
+export function gripAt(pixelOf: (point: Point3) => Pixel | null, at: Pixel): GripDrag | null {
   if (tool.peek()) return null;
   for (const grip of grips) {
     const found = grip(pixelOf, at);
     if (found) return found;
   }
   return null;
-}
-export function endDrag(how: 'drop' | 'cancel') {
-  const active = dragging.peek();
-  dragging.value = null;
-  active?.[how]();
 }

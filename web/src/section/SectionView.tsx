@@ -5,10 +5,12 @@ import { ToolHint } from '../scene/ToolHint';
 import { model } from '../state/model';
 import { Legends } from '../view/Legend';
 import { chosenRock, resultsTab } from '../state/view';
+import { offerThumbnail } from '../view/thumbnail';
 import { frame } from './framed';
 import { keepDrawn, pathsToDraw, pointer } from './picture';
 import { listen } from './pointing';
 import { rockAt } from './pathLayer';
+import { sectionThumbnail } from './sectionThumbnail';
 import { sectionLegends } from './sectionLegends';
 import { SectionBar } from './SectionBar';
 import '../scene/scene.css';
@@ -28,12 +30,18 @@ function Status() {
   );
 }
 
-/// A click on a trajectory selects its rock; next to all trajectories it deselects.
-function chooseRock(event: PointerEvent) {
+/// The rock of the trajectory at a place of the canvas; null if there is none.
+function rockOf(canvas: HTMLElement, event: MouseEvent): number | null {
   const [seen, now] = [pathsToDraw.value, frame.value];
-  if (!seen || !now) return;
-  const box = (event.currentTarget as HTMLElement).getBoundingClientRect();
-  chosenRock.value = rockAt(seen, now, event.clientX - box.left, event.clientY - box.top, 8);
+  if (!seen || !now) return null;
+  const box = canvas.getBoundingClientRect();
+  return rockAt(seen, now, event.clientX - box.left, event.clientY - box.top, 8);
+}
+
+/// A click on a trajectory selects its rock; next to all trajectories it deselects.
+function chooseRock(canvas: HTMLElement, event: MouseEvent) {
+  if (!pathsToDraw.value) return;
+  chosenRock.value = rockOf(canvas, event);
   if (chosenRock.value !== null) resultsTab.value = 'rock';
 }
 
@@ -42,8 +50,10 @@ export function SectionView() {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const endDrawing = keepDrawn(host.current!, canvas.current!);
-    const endListening = listen(canvas.current!, chooseRock);
+    const endOffering = offerThumbnail(sectionThumbnail);
+    const endListening = listen(canvas.current!, (event) => chooseRock(canvas.current!, event), (event) => rockOf(canvas.current!, event));
     return () => {
+      endOffering();
       endDrawing();
       endListening();
     };

@@ -1,8 +1,9 @@
 // The visible part of the section: all of it, in the free part of the picture, until the user moves it.
 
-import { computed, effect, signal } from '@preact/signals';
+import { computed, effect, signal, untracked } from '@preact/signals';
 import { model } from '../state/model';
 import { alongLine, bestBox, type Box } from '../view/framing';
+import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
 import { watchOver } from '../view/over';
 import { equalAxes } from '../view/settings';
 import { tool } from '../scene/tool';
@@ -68,6 +69,15 @@ export function framedIn(size: { width: number; height: number }): Frame | null 
   return { ...now, ...size, along: now.along * factor, up: now.up * factor };
 }
 
+/// The frame of an address, as much of it as the picture can show; null if it is not one of a section.
+function frameOf(text: string, { width, height }: Frame): Frame | null {
+  const [x, z, across, high] = cameraNumbers(text, 4) ?? [];
+  if (x === undefined || z === undefined || !(across! > 0) || !(high! > 0)) return null;
+  const [along, up] = [width / across!, height / high!];
+  const both = Math.min(along, up);
+  return { width, height, x, z, along: equalAxes.peek() ? both : along, up: equalAxes.peek() ? both : up };
+}
+
 /// Follows the picture's size and, unless the user moved it, keeps the whole section visible. Returns a function that
 /// ends this.
 export function keepFramed(host: HTMLElement): () => void {
@@ -81,6 +91,11 @@ export function keepFramed(host: HTMLElement): () => void {
   });
   watch.observe(host);
   const endWatching = watchOver(host, (boxes) => (over.value = boxes));
+  const take = (wanted: string) => {
+    wantedCamera.value = null;
+    const now = frame.peek();
+    frame.value = (now && frameOf(wanted, now)) ?? now;
+  };
   let [shown, sizeThen]: [string, string | null] = ['', null];
   // A new slope or new axes are shown whole; otherwise the user's view stays.
   const endFitting = effect(() => {
@@ -91,11 +106,24 @@ export function keepFramed(host: HTMLElement): () => void {
     if (!now || !all || (!isNew && (now !== fittedLast || size === sizeThen || tool.peek() !== null))) return;
     [shown, sizeThen] = [state, size];
     fit();
+    const wanted = untracked(() => wantedCamera.value);
+    if (wanted !== null) untracked(() => take(wanted));
+  });
+  const endTaking = effect(() => {
+    const wanted = wantedCamera.value;
+    if (wanted !== null && shown !== '') untracked(() => take(wanted));
+  });
+  const endTelling = effect(() => {
+    const now = frame.value;
+    const isMoved = now !== null && now !== fittedLast && shown !== '';
+    camera.value = isMoved ? cameraText([now.x, now.z, now.width / now.along, now.height / now.up]) : null;
   });
   return () => {
     watch.disconnect();
     endWatching();
     endFitting();
+    endTaking();
+    endTelling();
     frame.value = fittedLast = null;
     over.value = [];
   };

@@ -1,15 +1,17 @@
 // Pointer and keys of the section: position, view, clicks for tools or on seeders and barriers.
 
-import type { Point3 } from '../api/types';
-import type { Drag, Place } from '../scene/tool';
-import { dragging, endDrag, finishTool, gripAt, tool } from '../scene/tool';
-import { model } from '../state/model';
+import { Drag, dragOf, followPointer, handleAt, type DragView } from '../drag/drag';
+import { showHandles } from '../drag/handles';
+import { openMenu } from '../drag/menu';
+import { thingAt } from '../drag/things';
+import type { Place } from '../scene/tool';
+import { finishTool, gripAt, tool } from '../scene/tool';
 import { chosen } from '../state/view';
+import type { Pixel } from '../view/nearness';
 import { moved, pixelOf, placeOf, zoomed } from './frame';
 import { fit, frame } from './framed';
 import { pointer } from './picture';
 import { groundBelow, nearestSegment, profile } from './profile';
-import { pathOf, type Path } from '../model/names';
 
 const drag = 4; // pixels of movement that turn a click into a drag
 const near = 12; // pixels within which a mark is picked
@@ -30,51 +32,53 @@ function withSegment({ x, z }: { x: number; z: number }): Place {
   return { point: [x, 0, z], ...(facet !== undefined && { facet }) };
 }
 
-/// The path of the seeder or barrier at a point; null if there is none.
-function thingAt({ x, z }: { x: number; z: number }): Path | null {
-  const [now, view] = [model.value, frame.value];
-  if (!now || !view) return null;
-  const [left, top] = pixelOf(view, x, z);
-  const distanceTo = ([px, , pz]: [number, number, number]) => {
-    const [a, b] = pixelOf(view, px, pz);
-    return Math.hypot(a - left, b - top);
-  };
-  const seeder = now.seeders.find(({ points }) => points.some((point) => distanceTo(point) < near));
-  if (seeder) return pathOf(seeder.path);
-  const barrier = now.barriers.find(({ foot, top: high }) => {
-    const [a, b] = [foot[0], high[0]];
-    if (!a || !b) return false;
-    const middles = [0, 0.25, 0.5, 0.75, 1].map((s): [number, number, number] => [
-      a[0] + s * (b[0] - a[0]),
-      0,
-      a[2] + s * (b[2] - a[2]),
-    ]);
-    return middles.some((point) => distanceTo(point) < near);
-  });
-  return barrier ? pathOf(barrier.path) : null;
-}
+const view: DragView = {
+  pixelOf: ([x, , z]) => frame.value && pixelOf(frame.value, x, z),
+  placeAt: ([left, top]) => {
+    if (!frame.value) return null;
+    const [x, z] = placeOf(frame.value, left, top);
+    return [x, 0, z];
+  },
+  metresPerPixel: () => (frame.value ? 1 / frame.value.along : 1),
+};
 
-/// The drag that would begin at the pointer.
-function gripUnder(canvas: HTMLCanvasElement, event: PointerEvent): Drag | null {
-  const now = frame.value;
-  const box = canvas.getBoundingClientRect();
-  return now && gripAt(([x, , z]: Point3) => pixelOf(now, x, z), [event.clientX - box.left, event.clientY - box.top]);
-}
-
-/// `onClick` is called for clicks without a tool that hit no seeder or barrier.
-export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent) => void): () => void {
+/// `onClick` is called for clicks without a tool that hit no seeder or barrier. `rockOf`: the rock of the trajectory at an
+/// event; null: none.
+export function listen(canvas: HTMLCanvasElement, onClick: (event: MouseEvent) => void, rockOf: (event: MouseEvent) => number | null): () => void {
   const listening = new AbortController();
   const on = <K extends keyof HTMLElementEventMap>(type: K, task: (event: HTMLElementEventMap[K]) => void) =>
     canvas.addEventListener(type, task, { signal: listening.signal, passive: false });
   let down: { x: number; y: number; still: boolean } | null = null;
-  let grabbed: PointerEvent | null = null; // until what it grabbed is moved
 
+  const at = (event: MouseEvent): Pixel => {
+    const { left, top } = canvas.getBoundingClientRect();
+    return [event.clientX - left, event.clientY - top];
+  };
+  const click = (event: MouseEvent) => {
+    const thing = thingAt(view, at(event));
+    if (thing) chosen.value = thing;
+    else onClick(event);
+  };
+  const endHandles = showHandles();
+  on('contextmenu', (event) => {
+    event.preventDefault();
+    if (tool.value || event.button === 2) return;
+    const { left, top, width, height } = canvas.getBoundingClientRect(); // of the keyboard: at the middle
+    openMenu(view, [width / 2, height / 2], { x: left + width / 2, y: top + height / 2 }, null);
+  });
   on('pointerdown', (event) => {
     canvas.focus({ preventScroll: true });
+    const isFree = event.button === 0 && !tool.value;
+    const grip = isFree ? gripAt(view.pixelOf, at(event)) : null;
+    const what = isFree && !grip ? handleAt(view, at(event)) : null;
+    if (grip || what) {
+      followPointer(grip ? dragOf(view, grip) : new Drag(view, what!, at(event)), event, at, (dragged, up) => {
+        if (!dragged && up) click(up);
+      });
+      return;
+    }
     canvas.setPointerCapture(event.pointerId);
-    dragging.value = event.button === 0 ? gripUnder(canvas, event) : null;
-    grabbed = dragging.value ? event : null;
-    down = dragging.value ? null : { x: event.clientX, y: event.clientY, still: true };
+    down = { x: event.clientX, y: event.clientY, still: true };
   });
   on('pointermove', (event) => {
     if (down && frame.value) {
@@ -86,26 +90,21 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent)
     }
     const place = placeAt(canvas, event);
     if (!place) return;
+    const isOverHandle = gripAt(view.pixelOf, at(event)) ?? handleAt(view, at(event));
+    canvas.style.cursor = !tool.value && isOverHandle ? 'move' : '';
     const ground = profile.value ? groundBelow(profile.value, place.x) : null;
     pointer.value = { ...place, ground: ground?.z ?? null };
-    canvas.style.cursor = dragging.peek() ? 'grabbing' : gripUnder(canvas, event) ? 'grab' : '';
-    if (grabbed && Math.hypot(event.clientX - grabbed.clientX, event.clientY - grabbed.clientY) < drag) return;
-    grabbed = null;
-    dragging.peek()?.move(withSegment(place));
     tool.value?.move?.(withSegment(place));
   });
-  on('pointercancel', () => endDrag('cancel'));
   on('pointerup', (event) => {
-    grabbed = null;
-    if (dragging.peek()) return endDrag('drop');
     const wasClick = down?.still && event.button === 0;
+    if (down?.still && event.button === 2 && !tool.value)
+      openMenu(view, at(event), { x: event.clientX, y: event.clientY }, rockOf(event));
     down = null;
     const place = placeAt(canvas, event);
     if (!wasClick || !place) return;
     if (tool.value) return tool.value.click(withSegment(place), { shift: event.shiftKey, ctrl: event.ctrlKey });
-    const thing = thingAt(place);
-    if (thing) chosen.value = thing;
-    else onClick(event);
+    click(event);
   });
   on('pointerleave', () => {
     pointer.value = null;
@@ -137,5 +136,8 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: PointerEvent)
     else return;
     event.preventDefault();
   });
-  return () => listening.abort();
+  return () => {
+    listening.abort();
+    endHandles();
+  };
 }

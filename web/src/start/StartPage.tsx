@@ -3,31 +3,24 @@
 import { useEffect } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { api } from '../api/client';
-import type { Example } from '../api/types';
-import { files, hasMoreFiles, readFolder } from '../model/files';
-import { MoreFiles } from '../model/MoreFiles';
 import { listenToDrops } from '../model/terrainFile';
 import { about } from '../state/about';
-import { localDrafts } from '../state/localDrafts';
 import { reportFailure } from '../state/messages';
 import { open } from '../state/opening';
-import { compute, ownRuns } from '../state/runs';
+import { compute, ownRuns, runs } from '../state/runs';
 import { verifying } from '../state/view';
-import { allWritten } from '../state/writes';
 import { beginWith, NewProject } from './NewProject';
+import { CardPicture, DeletedProjects, ProjectList } from './ProjectList';
+import { examplePicture, examples, loadProjects, projectsNow } from './projects';
 import { VerificationPage } from './VerificationPage';
 import './start.css';
 
-const examples = signal<Example[]>([]);
-const drafts = signal<string[]>([]);
 /// A requested address for another browser or a script.
 const given = signal<string | null>(null);
 
 async function load() {
-  await allWritten(); // including the draft of the project that was just closed
-  const [list, folder] = await Promise.all([api.examples(), readFolder()]);
+  const [list] = await Promise.all([api.examples(), loadProjects()]);
   examples.value = list;
-  drafts.value = folder.drafts;
 }
 
 /// Opens an example, and runs it if it has no run yet.
@@ -42,6 +35,21 @@ export function StartPage() {
   useEffect(() => listenToDrops((list) => beginWith(list)), []);
   if (verifying.value) return <VerificationPage close={() => (verifying.value = false)} />;
   const openExample = (id: string) => void show(id).catch(reportFailure);
+  const hasProjects = projectsNow(runs.value).length > 0;
+  const tryOut = (
+    <section aria-labelledby="examples">
+      <h2 id="examples">Try an example</h2>
+      <div class="cards">
+        {examples.value.map(({ id, title, what }) => (
+          <button key={id} class="card" onClick={() => openExample(id)}>
+            <CardPicture address={examplePicture(id)} />
+            <span class="name">{title}</span>
+            <span class="faint">{what}</span>
+          </button>
+        ))}
+      </div>
+    </section>
+  );
   return (
     <main class="start">
       <header>
@@ -51,19 +59,19 @@ export function StartPage() {
           <p class="faint">Rockfall on your own slopes: where rocks go, how fast, how high, and what stops them.</p>
         </div>
       </header>
-      <section aria-labelledby="examples">
-        <h2 id="examples">Try an example</h2>
-        <div class="cards">
-          {examples.value.map(({ id, title, what }) => (
-            <button key={id} class="card" onClick={() => openExample(id)}>
-              <span class="name">{title}</span>
-              <span class="faint">{what}</span>
-            </button>
-          ))}
-        </div>
-      </section>
-      <NewProject />
-      <Projects />
+      <ProjectList />
+      {hasProjects ? (
+        <>
+          <NewProject />
+          {tryOut}
+        </>
+      ) : (
+        <>
+          {tryOut}
+          <NewProject />
+        </>
+      )}
+      <DeletedProjects />
       <footer class="faint">
         <p>
           Does Talus reproduce published results?{' '}
@@ -88,36 +96,5 @@ export function StartPage() {
         )}
       </footer>
     </main>
-  );
-}
-
-function Projects() {
-  const projects = files.value.filter(({ kind }) => kind === 'project');
-  const drafted = [...new Set([...drafts.value, ...localDrafts()])];
-  const unsaved = drafted.filter((draft) => !projects.some(({ name }) => name === draft));
-  if (projects.length + unsaved.length === 0 && !hasMoreFiles.value) return null;
-  const openFile = (name: string) => void open(name).catch(reportFailure);
-  return (
-    <section aria-labelledby="projects">
-      <h2 id="projects">Projects in this folder</h2>
-      <MoreFiles />
-      <div class="cards">
-        {unsaved.map((name) => (
-          <button key={name} class="card" onClick={() => openFile(name)}>
-            <span class="name">{name}</span>
-            <span class="faint">draft, never saved</span>
-          </button>
-        ))}
-        {projects.map(({ name, modified }) => (
-          <button key={name} class="card" onClick={() => openFile(name)}>
-            <span class="name">{name}</span>
-            <span class="faint">
-              {new Date(modified).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' })}
-              {drafted.includes(name) && ', with an unsaved draft'}
-            </span>
-          </button>
-        ))}
-      </div>
-    </section>
   );
 }

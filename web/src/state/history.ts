@@ -1,50 +1,44 @@
-// Back and Forward of the browser, between forms, tabs, projects and the start page.
+// Addresses of the page, and Back and Forward of the browser between forms, tabs, runs, projects and the start page.
 
 import { batch, effect } from '@preact/signals';
-import { file, rowsOf } from './document';
+import { schema } from '../generated/schema';
+import type { Path, TableName } from '../model/names';
+import { afterTyping } from '../ui/typing';
+import { camera, wantedCamera } from '../view/camera';
+import { addressOf, isStep, placeOf, type Place } from './address';
+import { file, fileStem, rowsOf, values } from './document';
 import { reportFailure } from './messages';
 import { close, open } from './opening';
-import { chosen, isAsking, resultsTab, sidePanel, verifying, type ResultsTab, type SidePanel } from './view';
+import { comparedId, shownId, showRuns } from './runs';
+import { askedText, chosen, chosenRock, drapedMap, isAsking, resultsTab, sidePanel, verifying } from './view';
 import { allWritten } from './writes';
-import { afterTyping } from '../ui/typing';
-import type { Path, TableName } from '../model/names';
 
-/// A location in the workbench, as an entry of the browser's history.
-interface Place {
-  talus: 1;
-  file: string | null;
-  verifying: boolean;
-  chosen: Path | null;
-  sidePanel: SidePanel;
-  resultsTab: ResultsTab;
-  isAsking: boolean;
-}
+const pause = 300; // ms, from the last movement of the view to its address
 
 function placeNow(): Place {
   const now = file.value;
   return {
-    talus: 1,
     file: now,
     verifying: now === null && verifying.value,
     chosen: now === null ? null : chosen.value,
     sidePanel: sidePanel.value,
     resultsTab: resultsTab.value,
-    isAsking: now !== null && isAsking.value,
+    run: shownId.value,
+    compared: comparedId.value,
+    rock: chosenRock.value,
+    map: drapedMap.value,
+    asked: isAsking.value ? askedText.value : null,
+    camera: wantedCamera.value ?? camera.value,
   };
 }
 
-const isPlace = (state: unknown): state is Place => (state as Place | null)?.talus === 1;
-/// On the start page the open tabs do not matter.
-function isSame(a: Place, b: Place): boolean {
-  if (a.file === null && b.file === null) return a.verifying === b.verifying;
-  return JSON.stringify(a) === JSON.stringify(b);
-}
+const exists = (path: Path | null) =>
+  path === null ||
+  (String(path[0]) in schema.properties && (typeof path[1] !== 'number' || rowsOf(path[0] as TableName).length > path[1]));
 
-const exists = (path: Place['chosen']) =>
-  path === null || typeof path[1] !== 'number' || rowsOf(path[0] as TableName).length > path[1];
-
-async function goTo(place: Place) {
-  if (place.file !== file.value) {
+async function goTo(place: Place, moves: boolean) {
+  const isOpen = place.file === file.value;
+  if (!isOpen) {
     if (file.value !== null) close();
     await allWritten(); // including the draft of the closed project, which may be the one to open
     if (place.file !== null) await open(place.file);
@@ -53,45 +47,90 @@ async function goTo(place: Place) {
     verifying.value = place.verifying;
     sidePanel.value = place.sidePanel;
     resultsTab.value = place.resultsTab;
-    if (place.file !== null) isAsking.value = place.isAsking ?? false;
-    chosen.value = place.file !== null && exists(place.chosen) ? place.chosen : null;
+    if (place.file === null) return;
+    chosen.value = exists(place.chosen) ? place.chosen : null;
+    chosenRock.value = place.rock;
+    drapedMap.value = place.map;
+    isAsking.value = place.asked !== null;
+    if (place.asked) askedText.value = place.asked;
+    showRuns(place.run, place.compared);
+    if (!isOpen || moves) wantedCamera.value = place.camera;
   });
 }
 
-/// Records where the user goes, and follows Back and Forward.
+const placeInAddress = () => placeOf(location.hash, { sidePanel: sidePanel.peek(), resultsTab: resultsTab.peek() });
+
+/// Goes where the address points. Returns false if that is the start page.
+export async function goToAddress(): Promise<boolean> {
+  const place = placeInAddress();
+  if (place.file === null && !place.verifying) return false;
+  await goTo(place, true);
+  return true;
+}
+
+/// The address without its last part, for the start page.
+const whole = (address: string) => address || location.pathname + location.search;
+/// Marks the entries of the browser's history that this page made.
+const ours = { talus: 1 };
+
+/// Keeps the address and the browser's history, and follows Back, Forward and addresses that are typed.
 export function listenToHistory(): () => void {
   let going = 0;
   let isDue = false;
-  history.replaceState(placeNow(), '');
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let last = placeNow();
+  const replace = () => {
+    clearTimeout(timer);
+    history.replaceState(ours, '', whole(addressOf(last)));
+  };
+  replace();
   // Changes in one task are one step.
   const record = () => {
     isDue = false;
-    const [now, last]: [Place, unknown] = [placeNow(), history.state];
-    if (going > 0 || (isPlace(last) && isSame(now, last))) return;
-    history.pushState(now, '');
+    const [now, before] = [placeNow(), last];
+    if (going > 0) return;
+    last = now;
+    if (isStep(before, now)) {
+      clearTimeout(timer);
+      history.pushState(ours, '', whole(addressOf(now)));
+    } else if (addressOf(now) !== addressOf(before)) {
+      clearTimeout(timer);
+      timer = setTimeout(replace, pause); // browsers limit how often an address may change
+    }
   };
-  const end = effect(() => {
-    placeNow();
-    if (!isDue) queueMicrotask(record);
-    isDue = true;
-  });
+  const ends = [
+    effect(() => {
+      placeNow();
+      if (!isDue) queueMicrotask(record);
+      isDue = true;
+    }),
+    effect(() => {
+      const name = typeof values.value.name === 'string' ? values.value.name : fileStem();
+      document.title = file.value === null ? 'Talus' : `${name} - Talus`;
+    }),
+  ];
   const go = ({ state }: PopStateEvent) => {
-    if (!isPlace(state)) return;
+    clearTimeout(timer); // the address is that of another entry now
+    const [place, isTyped] = [placeInAddress(), state === null];
     afterTyping(async () => {
       ++going;
       try {
-        await goTo(state);
+        await goTo(place, isTyped);
       } catch (error) {
         reportFailure(error);
       } finally {
         // If it failed, the entry is the actual location.
-        if (--going === 0) history.replaceState(placeNow(), '');
+        if (--going === 0) {
+          last = placeNow();
+          replace();
+        }
       }
     });
   };
   addEventListener('popstate', go);
   return () => {
-    end();
+    clearTimeout(timer);
+    ends.forEach((end) => end());
     removeEventListener('popstate', go);
   };
 }

@@ -6,6 +6,7 @@ import type { ProjectText } from '../api/types';
 import { about, storageKey } from './about';
 import { begin, file, leave, replaceText, restored, savedHash } from './document';
 import { discard, draftsAside, recordDraft, storeHere, storeNow } from './drafts';
+import { storeThumbnail } from '../view/thumbnail';
 import { setKnownFile } from './fileOnDisk';
 import { localDraftsOf } from './localDrafts';
 import { choiceOf, type LocalDraft } from './revisions';
@@ -59,6 +60,7 @@ export function start(name: string, first: string) {
 }
 
 export function close() {
+  storeThumbnail();
   void storeNow();
   sessionStorage.removeItem(ownKey());
   leave();

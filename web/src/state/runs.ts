@@ -8,6 +8,7 @@ import { file, text } from './document';
 import { checkFile } from './fileOnDisk';
 import { attempt, notify, reportFailure, resolve } from './messages';
 import { rebuild } from './model';
+import { ofProject } from './ofProject';
 import { subscribe } from './news';
 
 const all = signal<Run[]>([]);
@@ -44,18 +45,29 @@ export const shownCalibration = computed(
 /// A failed run may have truncated tables, so its errors are shown instead.
 export const hasResults = (run: Run) => run.has_results && run.state !== 'failed';
 
-// Opening a project shows its newest results and hides those of the previous project.
+// Opening a project shows its newest results, or the run that an address asks for, and hides those of the previous project.
 let pickedFor: string | null = null;
+const asked = ofProject<{ run: string | null; compared: string | null } | null>(null);
 effect(() => {
   const name = file.value;
-  if (name === null || !areKnown.value || pickedFor === name) {
-    if (name === null) pickedFor = null;
+  if (name === null || !areKnown.value) {
+    if (name === null) [pickedFor, shownId.value, comparedId.value] = [null, null, null];
     return;
   }
-  pickedFor = name;
-  shownId.value = ownRuns.peek().find(hasResults)?.id ?? null;
-  comparedId.value = null;
+  const wanted = asked.value;
+  const own = (id: string | null) => ownRuns.peek().find((run) => run.id === id)?.id ?? null;
+  if (pickedFor !== name) {
+    pickedFor = name;
+    shownId.value = ownRuns.peek().find(hasResults)?.id ?? null;
+    comparedId.value = null;
+  }
+  if (wanted === null) return;
+  asked.value = null;
+  shownId.value = own(wanted.run) ?? shownId.peek();
+  comparedId.value = own(wanted.compared);
 });
+/// Shows runs of the open project, once the runs are known. Without a run, or if it was removed, the shown one stays.
+export const showRuns = (run: string | null, compared: string | null) => (asked.value = { run, compared });
 
 const isKnown = (id: string) => all.peek().some((run) => run.id === id);
 

@@ -4,15 +4,16 @@ import { signal } from '@preact/signals';
 import type { Path } from '../model/names';
 import { kept } from './kept';
 import { keptOfProject, ofProject } from './ofProject';
+import type { ResultsTab, SidePanel } from './tabs';
+
+export type { ResultsTab, SidePanel };
 
 export type Theme = 'system' | 'light' | 'dark';
 
 export const theme = kept<Theme>('theme', 'system');
 
-export type SidePanel = 'model' | 'runs' | 'calibrate' | 'text';
 export const sidePanel = kept<SidePanel>('side panel', 'model');
 
-export type ResultsTab = 'overview' | 'distributions' | 'barriers' | 'rock' | 'envelopes' | 'maps' | 'compare' | 'section' | 'observed' | 'uncertainty' | 'calibration';
 export const resultsTab = kept<ResultsTab>('results tab', 'overview');
 export const resultsOpen = kept('results open', true);
 /// As a share of the window's height.
@@ -28,6 +29,8 @@ export const chosenRock = ofProject<number | null>(null);
 export const drapedMap = ofProject<string | null>(null);
 /// Whether a line is asked: its card is open.
 export const isAsking = keptOfProject<boolean>('asking a line', false);
+/// What is asked, as text (askLine/shape.ts); empty: nothing.
+export const askedText = keptOfProject<string>('asked line', '');
 export const helpOpen = signal(false);
 export const drapedOpacity = kept('opacity of the map', 1);
 /// Whether the start page shows the verification cases.

@@ -116,6 +116,9 @@ describe('other forms of TOML', () => {
   test('an inline list of tables', () => {
     const text = 'material = [{ name = "A" }, { name = "B" }]\n';
     expect(edited(text, [{ set: ['material', 1, 'name'], value: 'C' }])).toBe(text.replace('"B"', '"C"'));
+    expect(edited('a = 1\n', [{ append: ['material'], value: { name: 'C' }, comment: 'From elsewhere' }])).toBe(
+      'a = 1\n\n# From elsewhere\n[[material]]\nname = "C"\n',
+    );
     expect(edited(text, [{ append: ['material'], value: { name: 'C' } }])).toBe(
       'material = [{ name = "A" }, { name = "B" }, { name = "C" }]\n',
     );

@@ -12,8 +12,8 @@ export type Edit =
   | { set: Path; value: TomlValue }
   /// Removes a key, an entry of a list, or a table with its subtables, if it exists.
   | { remove: Path }
-  /// Adds a table `[[path]]` after the last of its kind.
-  | { append: Path; value: TomlTable };
+  /// Adds a table `[[path]]` after the last of its kind, below a comment if one is given.
+  | { append: Path; value: TomlTable; comment?: string };
 
 export { valuesOf } from './values';
 
@@ -26,7 +26,7 @@ export function edited(text: string, edits: readonly Edit[]): string {
   return edits.reduce((now, edit) => {
     if ('set' in edit) return setValue(now, edit.set, edit.value);
     if ('remove' in edit) return removeAt(now, edit.remove);
-    return appendTable(now, edit.append, edit.value);
+    return appendTable(now, edit.append, edit.value, edit.comment);
   }, text);
 }
 
@@ -213,14 +213,14 @@ function removeAt(text: string, path: Path): string {
   return isAtEnd && left.trim() ? `${left.trimEnd()}\n` : left;
 }
 
-function appendTable(text: string, path: Path, value: TomlTable): string {
+function appendTable(text: string, path: Path, value: TomlTable, comment?: string): string {
   const top = topOf(text);
   const found = findPair(top, path);
   if (found && found.rest.length === 0 && found.pair.value.type === 'TOMLArray')
     return setInside(text, found.pair.value, [found.pair.value.elements.length], value);
   if (found || tablesOf(top).some(({ path: own }) => isSame(own, path)))
     throw new Error(`${path.join('.')} already exists and is not a list of tables`);
-  const piece = tableText(path.map(String), value);
+  const piece = `${comment === undefined ? '' : `# ${comment}\n`}${tableText(path.map(String), value)}`;
   const last = tablesOf(top).findLast(({ path: own }) => own.length > path.length && isPrefix(path, own));
   if (!last) return `${text.trimEnd()}${text.trim() ? '\n\n' : ''}${piece}\n`;
   const end = Math.max(last.node.range[1], last.pairs.at(-1)?.range[1] ?? 0);

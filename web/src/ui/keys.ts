@@ -3,7 +3,7 @@
 import { file, redo, undo } from '../state/document';
 import { save } from '../state/saving';
 import { compute } from '../state/runs';
-import { dragging, endDrag, finishTool, removeLastPoint, tool, useTool } from '../scene/tool';
+import { finishTool, removeLastPoint, tool, useTool } from '../scene/tool';
 import { afterTyping, isWriting } from './typing';
 
 /// Whether an element has its own Undo: a field with typed text that is not stored yet.
@@ -26,7 +26,6 @@ function onKey(event: KeyboardEvent) {
   if (undoesItself(event.target)) return;
   if (ctrl && key === 'z') return act(event.shiftKey ? redo : undo);
   if (ctrl && key === 'y') return act(redo);
-  if (dragging.value && event.key === 'Escape') return act(() => endDrag('cancel'));
   if (!tool.value || isWriting(event.target)) return;
   if (event.key === 'Escape') return act(() => useTool(null));
   if (event.key === 'Enter' && event.target === document.body) return act(finishTool);

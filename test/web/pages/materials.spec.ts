@@ -1,0 +1,59 @@
+// A library of materials of one's own: values are saved from one project and copied into another.
+
+import type { Page } from '@playwright/test';
+import { backToModel, openExample, openForm, projectText, toStartPage } from '../support/steps';
+import { expect, test } from '../support/workbench';
+
+const file = 'own.materials.toml';
+const saveMaterial = (page: Page) => page.getByRole('button', { name: 'Save to my materials' }).click();
+
+async function openLibrary(page: Page) {
+  await page.getByRole('button', { name: '+ From the library…' }).click();
+  return page.getByRole('dialog', { name: 'Add a material from the library' });
+}
+
+test('a material is saved, replaced, used in another project, and deleted', async ({ workbench: page, server }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  await openForm(page, /^Type Two/);
+  await saveMaterial(page);
+  await expect(page.getByText(`Saved Type Two in ${file}`)).toBeVisible();
+  const today = new Date().toISOString().slice(0, 10);
+  const values = `name = "Type Two"
+normal_restitution = { mean = 0.4, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
+tangential_restitution = { mean = 0.9, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
+friction_angle_deg = 30
+`;
+  expect(server.read(file)).toBe(
+    `# Materials of one's own, for the workbench (talus serve), which copies them into projects.\n[[material]]\n${values}saved_from = "tutorial-1/tutorial-1-2d.toml"\nsaved_on = "${today}"\n`,
+  );
+
+  // Another program adds one; it is kept.
+  server.write(file, `${server.read(file)}\n# Ours\n[[material]]\nname = "My scree"\nlike = "talus_cover"\nfriction_angle_deg = 38\n`);
+  await page.locator('[data-path="material.1.friction_angle_deg"] input').first().fill('31');
+  await page.keyboard.press('Tab');
+  await saveMaterial(page);
+  await page.getByRole('dialog', { name: 'Replace Type Two?' }).getByRole('button', { name: 'Replace' }).click();
+  await expect.poll(() => server.read(file)).toContain('friction_angle_deg = 31');
+  expect(server.read(file)).toContain('# Ours\n[[material]]\nname = "My scree"\nlike = "talus_cover"\nfriction_angle_deg = 38\n');
+  expect(server.read(file).match(/Type Two/g)).toHaveLength(1);
+
+  await toStartPage(page);
+  await expect(page.getByRole('region', { name: 'Projects in this folder' })).not.toContainText(file);
+  await openExample(page, 'Sliding');
+  const dialog = await openLibrary(page);
+  const own = dialog.getByRole('table', { name: 'My materials' });
+  await expect(own.getByRole('row', { name: /^My scree/ })).toContainText('38');
+  await expect(own.getByRole('rowheader', { name: 'Type Two' })).toHaveAttribute('title', `saved from tutorial-1/tutorial-1-2d.toml, ${today}`);
+  await own.getByRole('button', { name: 'Add My scree' }).click();
+  await expect.poll(() => projectText(page)).toContain(`# From ${file}\n[[material]]\nname = "My scree"\nlike = "talus_cover"\nfriction_angle_deg = 38\n`);
+  await backToModel(page);
+  await (await openLibrary(page)).getByRole('button', { name: 'Add Type Two' }).first().click();
+  await expect.poll(() => projectText(page)).toContain(`# From ${file}, saved there from tutorial-1/tutorial-1-2d.toml on ${today}\n[[material]]\n`);
+
+  await backToModel(page);
+  const again = await openLibrary(page);
+  await again.getByRole('button', { name: 'Delete My scree from my materials' }).click();
+  await again.getByRole('button', { name: 'Delete My scree from my materials for good' }).click();
+  await expect.poll(() => server.read(file)).not.toContain('My scree');
+  expect(await again.getByRole('table').count()).toBe(2);
+});

@@ -1,0 +1,98 @@
+// A library of materials of one's own: a file of the folder, from which values are copied into projects. A project does
+// not depend on the library afterwards.
+
+import { signal } from '@preact/signals';
+import { api, Refused } from '../api/client';
+import { workplace } from '../state/about';
+import { file, rowsOf } from '../state/document';
+import { nextRevision } from '../state/drafts';
+import { notify } from '../state/messages';
+import { writeInTurn } from '../state/writes';
+import { edited, valuesOf } from '../toml/edit';
+import type { TomlTable } from '../toml/format';
+import type { Row } from './names';
+import { freshName } from './place';
+import { isTable } from './tables';
+import { add } from './things';
+
+export const ownFile = 'own.materials.toml';
+
+export interface OwnMaterial {
+  name: string;
+  /// The values, as keys of [[material]].
+  values: Row<'material'>;
+  /// The project that it was saved from, and the date.
+  from: string;
+  on: string;
+}
+
+export const ownMaterials = signal<OwnMaterial[]>([]);
+
+const text = (value: unknown) => (typeof value === 'string' ? value : '');
+
+function materialOf(row: TomlTable): OwnMaterial {
+  const { name, saved_from, saved_on, ...values } = row;
+  return { name: text(name), values: values as Row<'material'>, from: text(saved_from), on: text(saved_on) };
+}
+
+interface Stored {
+  text: string;
+  saved: string | null;
+  rows: TomlTable[];
+}
+
+async function read(): Promise<Stored> {
+  let stored: { text: string; saved: string | null };
+  try {
+    stored = await api.project(ownFile);
+  } catch (error) {
+    if (!(error instanceof Refused) || error.status !== 404) throw error;
+    stored = { text: '', saved: null };
+  }
+  const { material } = valuesOf(stored.text);
+  return { ...stored, rows: Array.isArray(material) ? material.filter(isTable) : [] };
+}
+
+const take = (rows: readonly TomlTable[]) => (ownMaterials.value = rows.map(materialOf).filter(({ name }) => name !== ''));
+
+export const loadOwn = async () => void take((await read()).rows);
+
+/// Changes the library: `change` returns the new text. Another program's changes are kept, because it is read first.
+const write = (change: (stored: Stored) => string) =>
+  writeInTurn(async () => {
+    const stored = await read();
+    const next = change(stored);
+    await api.saveProject(ownFile, { text: next, saved: stored.saved }, nextRevision(ownFile), workplace());
+    const { material } = valuesOf(next);
+    take(Array.isArray(material) ? material.filter(isTable) : []);
+  });
+
+const placeOf = (rows: readonly TomlTable[], name: string) => rows.findIndex((row) => row.name === name);
+
+/// Saves a material of the project. One of the same name is replaced.
+export async function saveOwn(material: Row<'material'>, name: string) {
+  const value = { ...(material as TomlTable), name, saved_from: file.value ?? '', saved_on: new Date().toISOString().slice(0, 10) };
+  await write(({ text: now, rows }) => {
+    const at = placeOf(rows, name);
+    const comment = now === '' ? 'Materials of one\'s own, for the workbench (talus serve), which copies them into projects.' : undefined;
+    return edited(now, [...(at < 0 ? [] : [{ remove: ['material', at] }]), { append: ['material'], value, ...(comment && { comment }) }]);
+  });
+  notify('saved', `Saved ${name} in ${ownFile}`);
+}
+
+export const removeOwn = (name: string) =>
+  write(({ text: now, rows }) => {
+    const at = placeOf(rows, name);
+    return at < 0 ? now : edited(now, [{ remove: ['material', at] }]);
+  });
+
+/// Copies a material into the project, with a comment on where it is from.
+export function addOwn({ name, values, from, on }: OwnMaterial) {
+  const isTaken = rowsOf('material').some((row) => row.name === name);
+  const source = `From ${ownFile}${from && `, saved there from ${from}`}${on && ` on ${on}`}`.replace(/[\p{Cc}]/gu, ' ');
+  add('material', { ...values, name: isTaken ? freshName(['material'], name) : name }, `add ${name}`, source);
+}
+
+/// Whether a material names a file, which other projects would not find.
+export const namesFile = (material: Row<'material'>) =>
+  Object.values(material).some((value) => isTable(value) && value.file !== undefined);
