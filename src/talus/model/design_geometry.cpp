@@ -41,7 +41,7 @@ bool cross_each_other(const Segment& a, const Segment& b) {
   return side(a, b.begin) * side(a, b.end) < 0 && side(b, a.begin) * side(b, a.end) < 0;
 }
 
-double distance_between(const Segment& a, const Segment& b) {
+double segment_distance(const Segment& a, const Segment& b) {
   if (cross_each_other(a, b)) return 0;
   return std::min({distance_to(a.begin, b), distance_to(a.end, b), distance_to(b.begin, a), distance_to(b.end, a)});
 }
@@ -102,7 +102,7 @@ double distance_between(const talus::Barrier& line, double from, double to, cons
   for (const Panel& panel : line.panels()) {
     const auto foot = foot_of(panel, from, to);
     if (!foot) continue;
-    for (const Panel& there : other.panels()) least = std::min(least, distance_between(*foot, whole_foot_of(there)));
+    for (const Panel& there : other.panels()) least = std::min(least, segment_distance(*foot, whole_foot_of(there)));
   }
   return least;
 }

@@ -29,8 +29,10 @@ constexpr std::size_t preamble_size = store_magic.size() + 2 * sizeof(std::uint3
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
+}  // namespace
+
 /// An open file of a fixed size, read at any place by any thread.
-class ReadFile {
+class TrajectoryStore::ReadFile {
  public:
   explicit ReadFile(const std::filesystem::path& file) : file_(file) {
     if (const auto why = not_an_ordinary_file(file)) refuse(file, *why);
@@ -64,6 +66,8 @@ class ReadFile {
   int descriptor_ = -1;
   std::uint64_t size_ = 0;
 };
+
+namespace {
 
 /// As many numbers as there are rocks.
 template <class Number>

@@ -51,6 +51,7 @@ class TrajectoryStore {
   void read(std::size_t place, StoredTrajectory& into) const;
 
  private:
+  class ReadFile;
   struct Content;
   [[nodiscard]] std::vector<std::size_t> rocks_in(const CellSet& cells) const;
 
