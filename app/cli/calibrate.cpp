@@ -84,7 +84,10 @@ CalibrationResult run_one(const Study& study, const StudyModel* model, const std
   if (!options.quiet) progress.emplace(static_cast<std::uint64_t>(study.draws), "sets");
   calibration::FolderOptions how{.threads = options.threads};
   if (progress) {
-    how.progress = [&](std::size_t done, std::size_t) { (*progress)(done); };
+    how.progress = [&](std::size_t done, std::size_t all) {
+      progress->set_total(all);
+      (*progress)(done);
+    };
     how.phase = [&](const std::string& what) { progress->say(what); };
   }
   CalibrationResult result = calibration::calibrate_into(folder, prepared, how);

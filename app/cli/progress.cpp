@@ -50,6 +50,7 @@ Progress::~Progress() {
 
 void Progress::operator()(std::uint64_t done) {
   const auto now = Clock::now();
+  total_ = std::max(total_, done);
   if (!done_before_) {
     done_before_ = done;
     begin_ = last_ = now;

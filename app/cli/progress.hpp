@@ -15,6 +15,8 @@ class Progress {
   explicit Progress(std::uint64_t total, std::string_view kind = "rocks");
   ~Progress();
   void operator()(std::uint64_t done);
+  /// There is more, or less, to do than was known.
+  void set_total(std::uint64_t total) { total_ = total; }
   /// Says what is being done instead, where the remaining time is not known: at once on a terminal, elsewhere if the
   /// last line is old.
   void say(std::string_view what);

@@ -10,15 +10,19 @@ std::vector<std::string> seeder_names_of(const std::vector<Seeder>& seeders) {
   return names;
 }
 
+}  // namespace
+
 /// A rock with its path and the barriers that it hit.
-struct Watched {
+struct WatchedRock {
   EndpointRow end;
   std::string source;
   Path path;
   std::vector<std::size_t> barriers;
 };
 
-void add_watched(EndPoints& rocks, const Watched& watched) {
+namespace {
+
+void add_watched(EndPoints& rocks, const WatchedRock& watched) {
   const EndpointRow& end = watched.end;
   const std::size_t words = std::max<std::size_t>(1, (rocks.barrier_names.size() + 31) / 32);
   rocks.rocks.push_back(static_cast<std::uint32_t>(end.rock));
@@ -40,7 +44,7 @@ struct RunWatch::Part : ObserverPart {
   explicit Part(const RunWatch& own) : watch(own) {}
   void see(const RockRecord& record, const RockLog& log) override {
     if (!watch.chosen_.contains(record.rock)) return;
-    Watched& seen = rocks.emplace_back();
+    WatchedRock& seen = rocks.emplace_back();
     fill(seen.end, watch.context_, record);
     if (record.source.index < watch.model_.sources.size()) seen.source = watch.model_.sources[record.source.index];
     seen.path.rock = record.rock;
@@ -50,7 +54,7 @@ struct RunWatch::Part : ObserverPart {
   }
 
   const RunWatch& watch;
-  std::vector<Watched> rocks;
+  std::vector<WatchedRock> rocks;
 };
 
 RunWatch::RunWatch(const Model& model)
@@ -65,7 +69,7 @@ RunWatch::RunWatch(const Model& model)
 std::unique_ptr<ObserverPart> RunWatch::new_part() const { return std::make_unique<Part>(*this); }
 
 void RunWatch::commit(ObserverPart& part) {
-  for (const Watched& watched : static_cast<Part&>(part).rocks) {
+  for (const WatchedRock& watched : static_cast<Part&>(part).rocks) {
     if (watched.path.rows.empty()) continue;
     const std::lock_guard lock(mutex_);
     add_watched(paths_.rocks, watched);

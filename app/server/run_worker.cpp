@@ -229,7 +229,13 @@ void RunWorker::calibrate(const Job& job, LowPriorityArena& arena) {
   const calibration::CalibrationResult result = arena.execute([&] {
     const StopScope scope(&entry.stop);
     return calibration::calibrate_into(run.folder, entry.calibration->study,
-                                       {.progress = [&](std::size_t done, std::size_t) { progress(done); }});
+                                       {.progress = [&](std::size_t done, std::size_t all) {
+                                         {
+                                           const std::lock_guard lock(mutex_);
+                                           entry.run.rocks = all;
+                                         }
+                                         progress(done);
+                                       }});
   });
   const std::lock_guard lock(mutex_);
   add_problems(entry.run, result.warnings);

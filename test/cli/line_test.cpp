@@ -89,8 +89,7 @@ TEST_F(LineCommand, ReadsLinesFromTables) {
   const std::string given = text_of("--line '15,0 15,50'");
   EXPECT_EQ(text_of("--line " + (work_ / "line.csv").string()), given);
   work_.write("bad.csv", "x_m,y_m\n15,0\n15,east\n");
-  EXPECT_EQ(text_of("--line " + (work_ / "bad.csv").string(), 2),
-            "error: bad.csv:3: y_m is \"east\" (expected a number)\n");
+  EXPECT_EQ(text_of("--line " + (work_ / "bad.csv").string(), 2), "bad.csv:3: y_m is \"east\" (expected a number)\n");
 }
 
 TEST_F(LineCommand, SaysWhatEntersAPolygon) {
@@ -101,15 +100,14 @@ TEST_F(LineCommand, SaysWhatEntersAPolygon) {
 
 TEST_F(LineCommand, RefusesWithTheReason) {
   EXPECT_EQ(text_of("--line '15,0 15,north'", 2),
-            "error: --line: \"15,north\" is not a place (expected x,y). Write \"x,y x,y ...\", or name a file that "
+            "--line: \"15,north\" is not a place (expected x,y). Write \"x,y x,y ...\", or name a file that "
             "exists\n");
-  EXPECT_EQ(text_of("--line '15,0'", 2),
-            "error: --line: has 1 point (expected at least 2, from one end to the other)\n");
+  EXPECT_EQ(text_of("--line '15,0'", 2), "--line: has 1 point (expected at least 2, from one end to the other)\n");
   EXPECT_EQ(text_of("--barrier Net", 2),
-            "error: --barrier: the run has no barrier or collector \"Net\" (it has \"Line at 15 m\", \"Fence\")\n");
+            "--barrier: the run has no barrier or collector \"Net\" (it has \"Fence\", \"Line at 15 m\")\n");
   std::filesystem::remove(work_ / "out" / "trajectories.bin");
   EXPECT_EQ(text_of("--barrier Fence", 2),
-            "error: out/trajectories.bin: the run has no stored trajectories (lines are asked of the paths of its "
+            "out/trajectories.bin: the run has no stored trajectories (lines are asked of the paths of its "
             "rocks). Run it again with output.trajectories_MB\n");
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using testing_tools::SimulatedRun;
 
-constexpr const char* slope = R"([terrain]
+constexpr const char* area_slope = R"([terrain]
 section = [[0, 0], [30, -30], [80, -35]]
 width_m = 60
 
@@ -29,14 +29,14 @@ roughness_deg = 10
 
 [[seeder]]
 type = "line"
-points = [[1, 10, 0], [1, 50, 0]]
+points = [[1, 10], [1, 50]]
 height_above_m = 1
 rocks = 150
 mass_kg = 900
 horizontal_velocity_m_s = 2
 )";
 
-std::string refusal_of(const Model& model, const std::vector<PlanPlace>& corners) {
+std::string area_refusal(const Model& model, const std::vector<PlanPlace>& corners) {
   Problems warnings;
   try {
     static_cast<void>(drawn_area(model, corners, "polygon", warnings));
@@ -48,7 +48,7 @@ std::string refusal_of(const Model& model, const std::vector<PlanPlace>& corners
 
 /// Maxima at many places along the pieces, by brute force.
 TEST(AskedArea, HasTheMaximaOfPathsInside) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(area_slope);
   Problems warnings;
   const std::vector<PlanPlace> corners{{20, 15}, {60, 12}, {40, 30}, {58, 48}, {22, 40}};
   const AskedArea area = drawn_area(run.model, corners, "polygon", warnings);
@@ -86,7 +86,7 @@ TEST(AskedArea, HasTheMaximaOfPathsInside) {
 
 /// The polygon of the whole terrain has the maxima of the run.
 TEST(AskedArea, OfTheWholeTerrainHasTheMaximaOfTheRun) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(area_slope);
   Problems warnings;
   const std::vector<PlanPlace> corners{{-1, -1}, {81, -1}, {81, 61}, {-1, 61}};
   const AskedArea area = drawn_area(run.model, corners, "polygon", warnings);
@@ -102,7 +102,7 @@ TEST(AskedArea, OfTheWholeTerrainHasTheMaximaOfTheRun) {
 }
 
 TEST(AskedArea, CutsACurvedPathAtItsBorders) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(area_slope);
   Problems warnings;
   const AskedArea area =
       drawn_area(run.model, std::vector<PlanPlace>{{10, 10}, {20, 10}, {20, 20}, {10, 20}}, "polygon", warnings);
@@ -120,19 +120,19 @@ TEST(AskedArea, CutsACurvedPathAtItsBorders) {
 }
 
 TEST(AskedArea, RefusesWhatIsNoPolygonOnTheTerrain) {
-  const Model model = testing_tools::model_of(slope);
-  EXPECT_EQ(refusal_of(model, {{1, 1}, {2, 2}}), "polygon: has 2 corners (expected at least 3)");
-  EXPECT_EQ(refusal_of(model, {{1, 1}, {2, 2}, {1, 1}}), "polygon: has 2 corners (expected at least 3)");
-  EXPECT_EQ(refusal_of(model, {{1, 1}, {NAN, 2}, {1, INFINITY}}),
+  const Model model = testing_tools::model_of(area_slope);
+  EXPECT_EQ(area_refusal(model, {{1, 1}, {2, 2}}), "polygon: has 2 corners (expected at least 3)");
+  EXPECT_EQ(area_refusal(model, {{1, 1}, {2, 2}, {1, 1}}), "polygon: has 2 corners (expected at least 3)");
+  EXPECT_EQ(area_refusal(model, {{1, 1}, {NAN, 2}, {1, INFINITY}}),
             "polygon: point 2 is (nan, 2) (expected numbers)\npolygon: point 3 is (1, inf) (expected numbers)");
-  EXPECT_EQ(refusal_of(model, {{1, 1}, {5, 5}, {9, 9}}),
-            "polygon: has an area of 0 m2 (expected a polygon with an inside)");
-  EXPECT_EQ(refusal_of(model, {{10, 10}, {20, 20}, {20, 10}, {10, 20}}),
+  EXPECT_EQ(area_refusal(model, {{1, 1}, {5, 5}, {9, 9}}),
+            "polygon: crosses itself (at (1, 1)). Give the corners in order along the outline");
+  EXPECT_EQ(area_refusal(model, {{10, 10}, {20, 20}, {20, 10}, {10, 20}}),
             "polygon: crosses itself (at (15, 15)). Give the corners in order along the outline");
-  EXPECT_EQ(refusal_of(model, {{1000, 1000}, {1010, 1000}, {1010, 1010}}),
+  EXPECT_EQ(area_refusal(model, {{1000, 1000}, {1010, 1000}, {1010, 1010}}),
             "polygon: does not touch the terrain (rocks are only known there). Give it in the coordinates of the "
             "project");
-  EXPECT_EQ(refusal_of(model, {{10, 10}, {20, 10}, {20, -10}}),
+  EXPECT_EQ(area_refusal(model, {{10, 10}, {20, 10}, {20, -10}}),
             "warning: polygon: 1 of 3 corners are off the terrain (rocks are only known on it)");
 }
 

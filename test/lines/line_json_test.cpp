@@ -29,7 +29,7 @@ TEST(ThreeDigits, AreAsACardShowsThem) {
   EXPECT_EQ(three_digits(1234567), "1,230,000");
 }
 
-constexpr const char* slope = R"([terrain]
+constexpr const char* card_slope = R"([terrain]
 section = [[0, 0], [30, -30], [80, -35]]
 width_m = 60
 
@@ -42,7 +42,7 @@ roughness_deg = 10
 
 [[seeder]]
 type = "line"
-points = [[1, 10, 0], [1, 50, 0]]
+points = [[1, 10], [1, 50]]
 height_above_m = 1
 rocks = 40
 mass_kg = 900
@@ -58,7 +58,7 @@ Json answer_to(const SimulatedRun& run, const std::vector<PlanPlace>& line, cons
 }
 
 TEST(LineJson, SaysHowManyRocksWouldBeEnough) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(card_slope);
   const Json few = answer_to(run, {{35, 0}, {35, 60}});
   const Json& enough = few["enough"];
   // Forty rocks have no upper end of the 95th percentile: it takes 72.
@@ -74,7 +74,7 @@ TEST(LineJson, SaysHowManyRocksWouldBeEnough) {
 }
 
 TEST(LineJson, OfALineThatNoRockCrosses) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(card_slope);
   const Json none = answer_to(run, {{0.2, 0}, {0.2, 60}}, {.kit = KitSize{3, 1e6}, .precision = 0.1});
   EXPECT_EQ(none["whole"]["rocks"], 0);
   EXPECT_EQ(none["card"]["share"], "0.0 %");
@@ -88,7 +88,7 @@ TEST(LineJson, OfALineThatNoRockCrosses) {
 }
 
 TEST(AskedRun, RefusesTrajectoriesOfAnotherRun) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(card_slope);
   auto paths = std::make_unique<SimulatedPaths>(run.paths);
   paths->keep(41, [](std::uint64_t) { return true; });
   try {

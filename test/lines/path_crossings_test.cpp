@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace {
 using testing_tools::replaced;
 using testing_tools::SimulatedRun;
 
-constexpr const char* slope = R"([analysis]
+constexpr const char* crossed_slope = R"([analysis]
 model = "rigid_sphere"
 
 [terrain]
@@ -33,7 +34,7 @@ rolling_friction = 0.35
 
 [[seeder]]
 type = "line"
-points = [[1, 10, 0], [1, 50, 0]]
+points = [[1, 10], [1, 50]]
 height_above_m = 1
 rocks = 300
 mass_kg = { mean = 900, distribution = "lognormal", std_dev = 500, rel_min = 700, rel_max = 3000 }
@@ -60,12 +61,19 @@ inclination_deg = 15
 capacity_kJ = 90
 )";
 
+/// Not at its end: where a sphere touches an edge of a barrier is found by a search that depends on how far it looks.
+bool is_in_flight(const RockPath& path, double time) {
+  return std::ranges::any_of(path.pieces, [&](const PathPiece& piece) {
+    return !piece.on_ground && piece.start_time < time && time < piece.time(piece.duration) - 1e-7;
+  });
+}
+
 /// Compares the crossings that the run logged with those found from its pieces.
-void expect_crossings_of_the_run(const std::string& text, double tolerance) {
+void expect_crossings_of_the_run(const std::string& text, double tolerance, bool has_rocks_above = true) {
   const SimulatedRun run(text);
   const PlanIndex on_plan = index_of(run.model.barriers);
   PathCrossings crossings({run.model.barriers, on_plan});
-  std::size_t hits = 0, above = 0, different = 0;
+  std::size_t hits = 0, in_flight = 0, above = 0, different = 0;
   RockPath path;
   for (std::size_t rock = 0; rock < run.records.size(); ++rock) {
     run.paths.read(rock, path);
@@ -83,6 +91,15 @@ void expect_crossings_of_the_run(const std::string& text, double tolerance) {
       const BarrierHit &a = found.hits[k], &b = logged.hits[k];
       EXPECT_EQ(a.barrier.index, b.barrier.index) << "rock " << rock;
       EXPECT_EQ(a.outcome, b.outcome) << "rock " << rock;
+      if (is_in_flight(path, b.motion.time)) {
+        ++in_flight;  // the same bits
+        EXPECT_EQ(a.motion.position, b.motion.position) << "rock " << rock;
+        EXPECT_EQ(a.motion.velocity, b.motion.velocity) << "rock " << rock;
+        EXPECT_EQ(a.motion.spin, b.motion.spin) << "rock " << rock;
+        EXPECT_EQ(a.motion.time, b.motion.time) << "rock " << rock;
+        EXPECT_EQ(a.height, b.height) << "rock " << rock;
+        EXPECT_EQ(a.station, b.station) << "rock " << rock;
+      }
       EXPECT_NEAR(a.height, b.height, tolerance) << "rock " << rock;
       EXPECT_NEAR(a.station, b.station, tolerance) << "rock " << rock;
       EXPECT_NEAR(a.motion.time, b.motion.time, tolerance) << "rock " << rock;
@@ -98,19 +115,21 @@ void expect_crossings_of_the_run(const std::string& text, double tolerance) {
     }
   }
   EXPECT_EQ(different, 0u) << "rocks with another number of crossings";
-  EXPECT_GT(hits, 200u);
-  EXPECT_GT(above, 5u);
+  EXPECT_GT(hits, 150u);
+  EXPECT_GT(in_flight, has_rocks_above ? 50u : 5u);
+  EXPECT_EQ(above > 5, has_rocks_above);
 }
 
-TEST(PathCrossings, AreThoseOfTheRunForSpheresAtBarriers) { expect_crossings_of_the_run(slope, 1e-9); }
+TEST(PathCrossings, AreThoseOfTheRunForSpheresAtBarriers) { expect_crossings_of_the_run(crossed_slope, 1e-9); }
 
 TEST(PathCrossings, AreThoseOfTheRunForALumpedMassAtBarriers) {
-  expect_crossings_of_the_run(replaced(slope, "rigid_sphere", "lumped_mass"), 1e-9);
+  expect_crossings_of_the_run(replaced(crossed_slope, "rigid_sphere", "lumped_mass"), 1e-9);
 }
 
 TEST(PathCrossings, AreThoseOfTheRunInAForest) {
-  const std::string forest = replaced(slope, "rolling_friction = 0.35", "rolling_friction = 0.35\nforest = \"open\"");
-  expect_crossings_of_the_run(forest, 1e-9);
+  const std::string forest = replaced(crossed_slope, "rolling_friction = 0.35",
+                                      "rolling_friction = 0.35\nforest = \"open\"\nforest_height_m = 8");
+  expect_crossings_of_the_run(forest, 1e-9, false);  // trees brake what would fly over
 }
 
 /// A barrier that holds the sphere before its centre reaches the collector on the same line.

@@ -13,7 +13,7 @@ namespace {
 
 using testing_tools::SimulatedRun;
 
-constexpr const char* slope = R"([terrain]
+constexpr const char* release_slope = R"([terrain]
 section = [[0, 0], [30, -30], [80, -35]]
 width_m = 60
 
@@ -38,14 +38,14 @@ mass_kg = 900
 [[seeder]]
 name = "Line"
 type = "line"
-points = [[1, 10, 0], [1, 50, 0]]
+points = [[1, 10], [1, 50]]
 height_above_m = 1
 rocks = 12
 mass_kg = 900
 )";
 
 TEST(ReleaseSpots, HaveConsecutiveRocksOfOneSource) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(release_slope);
   const ReleaseSpots spots(run.model);
   std::uint64_t next = 0;
   for (const ReleaseSpot& spot : spots.list()) {
@@ -67,7 +67,7 @@ TEST(ReleaseSpots, HaveConsecutiveRocksOfOneSource) {
 }
 
 TEST(StoredSources, CountTheStoredRocksOfEachPlace) {
-  const SimulatedRun run(slope);
+  const SimulatedRun run(release_slope);
   const std::vector<std::uint64_t> rocks{0, 3, 6, 7, 37, 38, 49};
   const StoredSources sources(run.model, rocks);
   EXPECT_EQ(sources.stored.front(), 3u);

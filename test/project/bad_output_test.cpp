@@ -36,7 +36,7 @@ trajectories_MB = "some"
 trajectories_MB = 2000000
 
 [terrain])"}},
-     "slope.toml:7: [output]: trajectories_MB is 2000000 (expected 0 to 1e+06)"},
+     "slope.toml:7: [output]: trajectories_MB is 2000000 (expected 0 to 1e6)"},
     {"PathsNegative",
      {{"[terrain]",
        R"([output]

@@ -181,7 +181,7 @@ TEST(FactorSet, MayBeAFileBesideTheProject) {
               HasSubstr("slope.toml:12: [design]: standard_file own.toml:1: this is not TOML"));
   EXPECT_EQ(
       problems_with_file(work, ""),
-      "slope.toml:12: [design]: standard_file is \"own.toml\" (there is no file own.toml). The path is relative to "
+      "slope.toml:12: [design]: standard_file is \"own.toml\" (there is no such file). The path is relative to "
       "the project file");
 }
 

@@ -47,6 +47,7 @@ rolling_resistance_in_impacts = false
 [sampling]
 seed = 77
 parameters = "posterior.csv"
+parameters_site = "North"
 ensembles = 20
 method = "latin_hypercube"
 materials = "per_rock"
@@ -126,6 +127,7 @@ cost_height_exponent = 2
 cost_energy_exponent = 0
 [output]
 endpoints = 30
+trajectories_MB = 12
 impacts = "all"
 runout_from = [3]
 bands = ["reach_share", "velocity"]

@@ -60,9 +60,9 @@ TEST(Settings, EveryKeyIsDocumented) {
 TEST(Settings, UnitsAgreeWithTheNamesOfTheKeys) {
   // Endings of keys and their units; longer endings first.
   const std::vector<std::pair<std::string, std::string>> endings{
-      {"_kg_m3", "kg/m3"}, {"_deg_s", "deg/s"}, {"_m_s2", "m/s2"}, {"_m_s", "m/s"},
-      {"_kg_s", "kg/s"},   {"_per_s", "1/s"},   {"_deg", "deg"},   {"_kg", "kg"},
-      {"_kJ", "kJ"},       {"_m3", "m3"},       {"_m", "m"},       {"_s", "s"}};
+      {"_kg_m3", "kg/m3"}, {"_deg_s", "deg/s"}, {"_m_s2", "m/s2"}, {"_m_s", "m/s"}, {"_kg_s", "kg/s"},
+      {"_per_s", "1/s"},   {"_per_m", "1/m"},   {"_deg", "deg"},   {"_kg", "kg"},   {"_kJ", "kJ"},
+      {"_m3", "m3"},       {"_m", "m"},         {"_s", "s"}};
   for (const Table& table : tables()) {
     for (const Setting& setting : table.settings) {
       for (const auto& [ending, unit] : endings) {
@@ -138,7 +138,7 @@ struct IsNumber {
   bool operator()(PlanLineSlot) const { return true; }
   bool operator()(PlanPolygonSlot) const { return true; }
   bool operator()(DirectionSlot) const { return true; }
-  bool operator()(RockLimitSlot) const { return true; }
+  bool operator()(LimitSlot) const { return true; }
   bool operator()(MapCellSlot) const { return true; }
 };
 

@@ -43,7 +43,7 @@ TEST_F(TitleBlockFile, RefusesOtherPapersAndLogos) {
   EXPECT_EQ(message("paper = \"A0\""), "slope.toml:33: [report]: paper is \"A0\" (expected \"A4\" or \"A3\")");
   const std::string hint = ". Name a PNG or JPEG picture; the path is relative to the project file";
   EXPECT_EQ(message("logo = \"logo.png\""),
-            "slope.toml:33: [report]: logo is \"logo.png\" (there is no file logo.png)" + hint);
+            "slope.toml:33: [report]: logo is \"logo.png\" (there is no such file)" + hint);
   write("logo.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
   EXPECT_EQ(message("logo = \"logo.svg\""),
             "slope.toml:33: [report]: logo is \"logo.svg\" (it is neither a PNG nor a JPEG picture)" + hint);

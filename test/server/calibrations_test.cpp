@@ -43,7 +43,8 @@ TEST_F(ServedCalibrations, AreRunsWithTheResultsOfTheProgram) {
   const std::string id = reply.json()["id"];
   const Json run = wait_for(id, "done");
   EXPECT_EQ(run["state"], "done") << run;
-  EXPECT_EQ(run["done"], 60);
+  EXPECT_EQ(run["done"], 180) << "further rounds, since the posterior of 60 sets is coarse";
+  EXPECT_EQ(run["rocks"], 180);
   EXPECT_EQ(run["file"], "slope.toml");
   EXPECT_TRUE(run["has_results"]);
   EXPECT_EQ(read("slope.study.toml"), study());

@@ -15,7 +15,8 @@ class LineFiles : public testing_tools::ServedModels {
     return get(at(model_of(testing_tools::mesh_text), "lines?file=" + name));
   }
   static std::string collection(const std::string& geometries) {
-    return R"({"type": "FeatureCollection", "features": [)" + geometries + "]}";
+    return R"({"type": "FeatureCollection", "crs": {"type": "name", "properties": {"name": "EPSG:2056"}}, "features": [)" +
+           geometries + "]}";
   }
   static std::string feature(const std::string& type, const std::string& coordinates) {
     return R"({"type": "Feature", "properties": {}, "geometry": {"type": ")" + type + R"(", "coordinates": )" +
@@ -24,11 +25,12 @@ class LineFiles : public testing_tools::ServedModels {
 };
 
 TEST_F(LineFiles, HaveTheirLinesAndOuterRings) {
-  const Json json = lines_of("road.geojson", collection(feature("LineString", "[[1002, 3], [1010, 9.5, 7]]") + "," +
-                                                        feature("Polygon",
-                                                                "[[[1000, 0], [1020, 0], [1020, 30], [1000, 0]], "
-                                                                "[[1010, 2], [1015, 4], [1015, 2], [1010, 2]]]")))
-                        .json();
+  const Reply reply = lines_of("road.geojson", collection(feature("LineString", "[[1002, 3], [1010, 9.5, 7]]") + "," +
+                                                          feature("Polygon",
+                                                                  "[[[1000, 0], [1020, 0], [1020, 30], [1000, 0]], "
+                                                                  "[[1010, 2], [1015, 4], [1015, 2], [1010, 2]]]")));
+  ASSERT_EQ(reply.status, 200) << reply.body;
+  const Json json = reply.json();
   EXPECT_EQ(json["shapes"][0], Json::parse(R"({"kind": "line", "points": [[1002.0, 3.0], [1010.0, 9.5]]})"));
   EXPECT_EQ(json["shapes"][1]["kind"], "polygon");
   EXPECT_EQ(json["shapes"][1]["points"].size(), 3U);

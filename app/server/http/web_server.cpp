@@ -57,7 +57,7 @@ void WebServer::end_connections() {
 
 void WebServer::wake() const {
   const std::uint64_t one = 1;
-  (void)!write(wake_, &one, sizeof one);
+  (void)!::write(wake_, &one, sizeof one);
 }
 
 bool WebServer::process_and_close_socket(socket_t socket) {

@@ -77,7 +77,7 @@ bool may_replace(const std::optional<Draft>& draft, const Call& call) {
   return !draft || !next || draft->text == call.text("text", "") || continues(*draft, after, *next);
 }
 
-Json as_json(const Draft& draft) {
+Json draft_json(const Draft& draft) {
   Json revisions = Json::array();
   for (const Revision& revision : draft.revisions) revisions.push_back(text_of(revision));
   return {{"text", draft.text}, {"saved", text_or_null(draft.saved)}, {"revisions", revisions}};
@@ -101,7 +101,7 @@ void add_project_routes(Router& router, const Workplace& workplace) {
     const auto text = read(file, name);
     const auto draft = draft_of(file);
     if (!text && !draft) throw Refusal(404, name, "there is no such file");
-    const Json unsaved = draft && draft->text != text ? as_json(*draft) : Json();
+    const Json unsaved = draft && draft->text != text ? draft_json(*draft) : Json();
     return json_answer(
         {{"file", name}, {"text", text.value_or("")}, {"saved", text_or_null(hash_of(text))}, {"draft", unsaved}});
   });

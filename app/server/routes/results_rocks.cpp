@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <optional>
 
 #include "http/arrays.hpp"
 #include "results/drawn_paths.hpp"
@@ -57,13 +58,14 @@ std::vector<std::uint32_t> releases_of(const EndPoints& rocks, const ReleaseSpot
   return releases;
 }
 
-/// `releases`: of each rock; empty: unknown.
-Answer paths_answer(const DrawnPaths& paths, Json header, const std::vector<std::uint32_t>& releases = {}) {
+/// `releases`: of each rock, if they are known.
+Answer paths_answer(const DrawnPaths& paths, Json header,
+                    const std::optional<std::vector<std::uint32_t>>& releases = {}) {
   header.update(head(paths.rocks));
   header["states"] = state_names();
   Arrays arrays(std::move(header));
   add_rocks(arrays, paths.rocks);
-  if (!releases.empty()) add(arrays, "releases", releases);
+  if (releases) add(arrays, "releases", *releases);
   add(arrays, "starts", paths.starts);
   add(arrays, "times", paths.times);
   add(arrays, "positions", paths.positions);
@@ -109,7 +111,7 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models, AskedRun
     const DrawnPaths paths =
         drawn_paths(folder, read_facts(run), wanted, built ? &built->model : nullptr, rocks_passing(call, run, asked));
     return paths_answer(paths, Json::object(),
-                        built ? releases_of(paths.rocks, *asked.releases(run)) : std::vector<std::uint32_t>{});
+                        built ? std::optional(releases_of(paths.rocks, *asked.releases(run))) : std::nullopt);
   });
   router.get(one_run + "/so_far", [&](const Call& call) {
     const auto watch = runs.watch(call.part(1));

@@ -13,7 +13,12 @@ Motion motion_at(const PathPiece& piece, const Crossing& crossing) {
   const double t = crossing.t;
   Motion motion{piece.path.at(t), piece.velocity(t), piece.spin_at(t), piece.time(t)};
   if (piece.on_ground && t < piece.duration) {
-    // As in a run (move_along() in trajectory/ground_leg.hpp): no velocity back from what the rock crosses.
+    // As in a run, with its operations (move_along() in trajectory/ground_leg.hpp): closed forms keep their velocity,
+    // others change it in proportion to the time. No velocity points back from what the rock crosses.
+    const auto& [start, end, end_spin] = piece.ends;
+    const bool is_closed_form = piece.path.v == start && piece.path.velocity(piece.duration) == end;
+    motion.velocity =
+        is_closed_form ? piece.path.velocity(t) : Vec3(start + t / piece.duration * (end - start));
     motion.velocity -= std::max(0.0, motion.velocity.dot(crossing.normal)) * crossing.normal;
   }
   return motion;
@@ -33,7 +38,9 @@ void PathCrossings::add(const PathPiece& piece) {
   if (met_) leave(piece.velocity(0));
   const double start = piece.start_time;
   recent_.forget_before(start);
-  while (const auto crossing = first_crossing(barriers_, piece.path, reach_, start, piece.duration, recent_)) {
+  // What ended the piece may be beyond its end by rounding.
+  const double t_max = piece.duration + tolerance::same_crossing;
+  while (const auto crossing = first_crossing(barriers_, piece.path, reach_, start, t_max, recent_)) {
     if (crossing->above) {
       pass_above(piece, *crossing);
       continue;

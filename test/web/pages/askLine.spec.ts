@@ -150,17 +150,11 @@ test('corners and the line are dragged; Escape ends a drag, Undo takes it back',
 });
 
 test('a release place leaves only its rocks, in the tables and the trajectories', async ({ workbench: page }) => {
-  await openExample(page, 'Cliffs from a GIS');
+  await openExample(page, 'Tutorial 1, in 3D');
   await openCard(page);
-  const { bounds } = await page.evaluate(async () => {
-    const { text } = await (await fetch('/api/project?file=first-gis-run/first-gis-run.toml')).json();
-    const request = { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ file: 'first-gis-run/first-gis-run.toml', text }) };
-    return (await (await fetch('/api/model', request)).json()).model;
-  });
-  const [[x0, y0], [x1, y1]] = [bounds.min, bounds.max];
   await card(page).getByRole('button', { name: 'Draw an area' }).click();
   await page.keyboard.press('Escape');
-  await typeLine(page, [[x0 + 1, (y0 + y1) / 2], [x1 - 1, (y0 + y1) / 2]]);
+  await typeLine(page, [[15, 0], [15, 50]]);
   const places = card(page).locator('.asked-sources li button');
   await expect(places.first()).toBeVisible();
   const [, count, of] = /: ([\d,]+) of ([\d,]+), /.exec((await places.first().textContent())!)!;
@@ -168,14 +162,14 @@ test('a release place leaves only its rocks, in the tables and the trajectories'
   await places.first().click();
   await page.getByRole('tab', { name: 'Overview' }).click();
   const note = page.locator('.results .filter-note');
-  await expect(note).toContainText(`${of} of 9,070 rocks: from release place`);
+  await expect(note).toContainText(`${of} of 50 rocks: from release place`);
   await expect(page.locator('summary').filter({ hasText: 'Filter: ' })).toBeVisible(); // of the trajectories, too
   await card(page).getByLabel('Only rocks that cross').check();
-  await expect(note).toContainText(`${count} of 9,070 rocks`);
+  await expect(note).toContainText(`${count} of 50 rocks`);
   // Again: the rocks of all places that cross.
   await places.first().click();
-  const crossing = /: ([\d,]+) of 9,070 rocks/.exec((await share(page).textContent())!)![1];
-  await expect(note).toContainText(`${crossing} of 9,070 rocks: cross the asked line`);
+  const crossing = /: ([\d,]+) of 50 rocks/.exec((await share(page).textContent())!)![1];
+  await expect(note).toContainText(`${crossing} of 50 rocks: cross the asked line`);
   await note.getByRole('button', { name: 'All rocks' }).click();
   await expect(card(page).getByLabel('Only rocks that cross')).not.toBeChecked();
 });
@@ -195,7 +189,7 @@ test('a collector is put at the line as one step of Undo; lines are read from fi
   expect(await projectText(page)).toBe(before);
 
   const feature = { type: 'Feature', properties: {}, geometry: { type: 'Polygon', coordinates: [[[10, 5], [20, 5], [20, 45], [10, 45], [10, 5]]] } };
-  await input.setInputFiles({ name: 'fan.geojson', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ type: 'FeatureCollection', features: [feature] })) });
+  await input.setInputFiles({ name: 'fan.geojson', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify({ type: 'FeatureCollection', crs: { type: 'name', properties: { name: 'EPSG:2056' } }, features: [feature] })) });
   await expect(share(page)).toContainText(/% enter: \d+/);
   const asked = await share(page).textContent();
   await toStartPage(page);

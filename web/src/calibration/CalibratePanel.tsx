@@ -19,7 +19,7 @@ const numbers: Record<StudyNumber, { title: string; usual: string; what: string 
   draws: { title: 'Sets', usual: '1200', what: 'Sets of parameters in all rounds; half of them in the first' },
   rounds: { title: 'Rounds', usual: '3', what: 'The first draws from the prior, later ones near what earlier ones found' },
   most_draws: {
-    title: 'Most sets',
+    title: 'Limit',
     usual: '3 times Sets',
     what: 'Further rounds follow up to this number of sets while the posterior is as accurate as fewer than 40',
   },

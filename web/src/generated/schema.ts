@@ -243,7 +243,7 @@ export const schema = {
           "tested_height_m": {"type":"number","exclusiveMinimum":0.0,"maximum":10000.0,"description":"Nominal height of the kit in its test: no lower one is chosen from.","x-unit":"m","x-without-it":"no height is refused","x-source":"the kit's assessment"},
           "elongation_m": {"type":"number","minimum":0.0,"maximum":10000.0,"description":"Maximum elongation of the net in the test at the MEL; needs `design.clearance_m` or `design.protect`.","x-unit":"m","x-without-it":"its elongation is not checked","x-topic":{"document":"barrier-design.md","heading":"Elongation"},"x-source":"the kit's assessment"},
           "residual_height": {"enum":["unknown","A","B","C"],"description":"Category of the height that remains after an impact at the MEL: A at least half, B at least 30 %, C less.","default":"unknown","x-source":"EAD 340059-00-0106, after others"},
-          "cost_per_m": {"type":"number","exclusiveMinimum":0.0,"maximum":1000000000000.0,"description":"Price per metre of line, in any currency; of all kits or of none.","x-without-it":"the cost index","x-topic":{"document":"barrier-design.md","heading":"Which line, height and energy"},"x-source":"an input"},
+          "cost_per_m": {"type":"number","exclusiveMinimum":0.0,"maximum":1000000000000.0,"description":"Price per metre of line, in any currency; of all kits or of none.","x-unit":"1/m","x-without-it":"the cost index","x-topic":{"document":"barrier-design.md","heading":"Which line, height and energy"},"x-source":"an input"},
         },
         "additionalProperties": false,
         "x-topic": {"document":"barrier-design.md","heading":"Kits"},

@@ -64,6 +64,7 @@ Table kit_table() {
                .source = "EAD 340059-00-0106, after others"},
               {.key = "cost_per_m",
                .slot = member(&Kit::cost_per_m),
+               .unit = "1/m",
                .range = above_0_up_to(1e12, "kits would be ordered at random"),
                .without_it = "the cost index",
                .topic = topics::ranking,
