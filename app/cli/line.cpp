@@ -76,9 +76,11 @@ void print_sources(const Json& sources, const StoredSources& places, const Model
     order.emplace_back(sources.at("crossing")[k].get<std::uint64_t>(), k);
   std::ranges::stable_sort(order, std::greater<>(), [](const auto& each) { return each.first; });
   if (order.empty()) return;
-  fmt::print("\nfrom (the {} places of release with the most of them):\n{:>9}  {:<20}{:>14}{:>14}{:>9}{:>10}\n",
-             std::min(most, order.size()), "place", "source", "x [m]", "y [m]", "rocks", "of them");
-  for (std::size_t i = 0; i < std::min(most, order.size()); ++i) {
+  const std::size_t shown = std::min(most, order.size());
+  fmt::print("\nfrom ({}):\n{:>9}  {:<20}{:>14}{:>14}{:>9}{:>10}\n",
+             shown == 1 ? "one place of release" : fmt::format("the {} places of release with the most of them", shown),
+             "place", "source", "x [m]", "y [m]", "rocks", "of them");
+  for (std::size_t i = 0; i < shown; ++i) {
     const std::size_t k = order[i].second, spot = sources.at("release")[k].get<std::size_t>();
     const ReleaseSpot& release = places.spots.list()[spot];
     const Vec3 place = model.frame.global_from_local(release.place);

@@ -9,32 +9,13 @@
 #include <string>
 #include <vector>
 
+#include "lines/slopes.hpp"
 #include "support/simulated_paths.hpp"
 
 namespace talus {
 namespace {
 
 using testing_tools::SimulatedRun;
-
-constexpr const char* area_slope = R"([terrain]
-section = [[0, 0], [30, -30], [80, -35]]
-width_m = 60
-
-[[material]]
-name = "Rock"
-normal_restitution = 0.4
-tangential_restitution = 0.85
-friction_angle_deg = 33
-roughness_deg = 10
-
-[[seeder]]
-type = "line"
-points = [[1, 10], [1, 50]]
-height_above_m = 1
-rocks = 150
-mass_kg = 900
-horizontal_velocity_m_s = 2
-)";
 
 std::string area_refusal(const Model& model, const std::vector<PlanPlace>& corners) {
   Problems warnings;
@@ -48,7 +29,7 @@ std::string area_refusal(const Model& model, const std::vector<PlanPlace>& corne
 
 /// Maxima at many places along the pieces, by brute force.
 TEST(AskedArea, HasTheMaximaOfPathsInside) {
-  const SimulatedRun run(area_slope);
+  const SimulatedRun run(plain_slope);
   Problems warnings;
   const std::vector<PlanPlace> corners{{20, 15}, {60, 12}, {40, 30}, {58, 48}, {22, 40}};
   const AskedArea area = drawn_area(run.model, corners, "polygon", warnings);
@@ -86,7 +67,7 @@ TEST(AskedArea, HasTheMaximaOfPathsInside) {
 
 /// The polygon of the whole terrain has the maxima of the run.
 TEST(AskedArea, OfTheWholeTerrainHasTheMaximaOfTheRun) {
-  const SimulatedRun run(area_slope);
+  const SimulatedRun run(plain_slope);
   Problems warnings;
   const std::vector<PlanPlace> corners{{-1, -1}, {81, -1}, {81, 61}, {-1, 61}};
   const AskedArea area = drawn_area(run.model, corners, "polygon", warnings);
@@ -102,7 +83,7 @@ TEST(AskedArea, OfTheWholeTerrainHasTheMaximaOfTheRun) {
 }
 
 TEST(AskedArea, CutsACurvedPathAtItsBorders) {
-  const SimulatedRun run(area_slope);
+  const SimulatedRun run(plain_slope);
   Problems warnings;
   const AskedArea area =
       drawn_area(run.model, std::vector<PlanPlace>{{10, 10}, {20, 10}, {20, 20}, {10, 20}}, "polygon", warnings);
@@ -120,7 +101,7 @@ TEST(AskedArea, CutsACurvedPathAtItsBorders) {
 }
 
 TEST(AskedArea, RefusesWhatIsNoPolygonOnTheTerrain) {
-  const Model model = testing_tools::model_of(area_slope);
+  const Model model = testing_tools::model_of(plain_slope);
   EXPECT_EQ(area_refusal(model, {{1, 1}, {2, 2}}), "polygon: has 2 corners (expected at least 3)");
   EXPECT_EQ(area_refusal(model, {{1, 1}, {2, 2}, {1, 1}}), "polygon: has 2 corners (expected at least 3)");
   EXPECT_EQ(area_refusal(model, {{1, 1}, {NAN, 2}, {1, INFINITY}}),

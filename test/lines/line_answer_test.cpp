@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lines/slopes.hpp"
 #include "support/simulated_paths.hpp"
 #include "talus/lines/line_answer.hpp"
 
@@ -16,31 +17,6 @@ namespace {
 
 using testing_tools::replaced;
 using testing_tools::SimulatedRun;
-
-constexpr const char* line_slope = R"([analysis]
-model = "lumped_mass"
-
-[terrain]
-section = [[0, 0], [12, -14], [18, -14.5], [30, -27], [70, -34]]
-width_m = 60
-
-[[material]]
-name = "Rock"
-normal_restitution = { mean = 0.45, distribution = "normal", std_dev = 0.06, rel_min = 0.2, rel_max = 0.2 }
-tangential_restitution = { mean = 0.85, distribution = "normal", std_dev = 0.04, rel_min = 0.1, rel_max = 0.1 }
-friction_angle_deg = 34
-roughness_deg = 12
-dynamic_friction = 0.5
-rolling_friction = 0.35
-
-[[seeder]]
-type = "line"
-points = [[1, 10], [1, 50]]
-height_above_m = 1
-rocks = 400
-mass_kg = { mean = 900, distribution = "lognormal", std_dev = 500, rel_min = 700, rel_max = 3000 }
-horizontal_velocity_m_s = 2
-)";
 
 constexpr const char* collectors = R"(
 [[collector]]
@@ -137,23 +113,23 @@ void expect_figures_of_collectors(const std::string& ground, const std::string& 
 constexpr double by_rounding = 1e-9;
 
 TEST(AskedLine, HasTheFiguresOfACollectorForALumpedMass) {
-  expect_figures_of_collectors(line_slope, collectors, by_rounding);
+  expect_figures_of_collectors(bouncing_slope, collectors, by_rounding);
 }
 
 /// Without steps a collector in the way changes no trajectory.
 TEST(AskedLine, HasAllButTheLastDigitsOfACollectorOnTheGround) {
   expect_figures_of_collectors(
-      replaced(line_slope, "model = \"lumped_mass\"", "model = \"lumped_mass\"\nsliding = \"closed_form\""), collectors,
-      1e-14);
+      replaced(bouncing_slope, "model = \"lumped_mass\"", "model = \"lumped_mass\"\nsliding = \"closed_form\""),
+      collectors, 1e-14);
 }
 
 TEST(AskedLine, HasTheFiguresOfACollectorForASphere) {
-  expect_figures_of_collectors(replaced(line_slope, "lumped_mass", "rigid_sphere"), collectors, by_rounding);
+  expect_figures_of_collectors(replaced(bouncing_slope, "lumped_mass", "rigid_sphere"), collectors, by_rounding);
 }
 
 TEST(AskedLine, HasTheFiguresOfACollectorInAForest) {
   std::string forest =
-      replaced(line_slope, "roughness_deg = 12", "roughness_deg = 12\nforest = \"open\"\nforest_height_m = 8");
+      replaced(bouncing_slope, "roughness_deg = 12", "roughness_deg = 12\nforest = \"open\"\nforest_height_m = 8");
   forest = replaced(forest, "friction_angle_deg = 34", "friction_angle_deg = 12");
   expect_figures_of_collectors(forest, collectors, by_rounding);
 }
@@ -169,11 +145,11 @@ normal_restitution = 0.3
 tangential_restitution = 0.6
 )";
   for (const char* model : {"lumped_mass", "rigid_sphere"})
-    expect_figures_of_collectors(replaced(line_slope, "lumped_mass", model) + net, collectors, by_rounding);
+    expect_figures_of_collectors(replaced(bouncing_slope, "lumped_mass", model) + net, collectors, by_rounding);
 }
 
 TEST(AskedLine, HasTheFiguresOfACollectorInASection) {
-  std::string section = replaced(line_slope, "width_m = 60\n", "");
+  std::string section = replaced(bouncing_slope, "width_m = 60\n", "");
   section = replaced(section, "type = \"line\"\npoints = [[1, 10], [1, 50]]\nheight_above_m = 1", "position = [1, 0]");
   constexpr const char* at = R"(
 [[collector]]
@@ -199,7 +175,7 @@ height_m = 2
 
 /// A barrier of the run has the figures of its own design, with the places where spheres touch it.
 TEST(AskedLine, OfABarrierHasTheFiguresOfItsDesign) {
-  const SimulatedRun run(replaced(line_slope, "lumped_mass", "rigid_sphere") + R"(
+  const SimulatedRun run(replaced(bouncing_slope, "lumped_mass", "rigid_sphere") + R"(
 [[barrier]]
 name = "Net"
 line = [[24, 0], [26, 60]]
@@ -218,7 +194,7 @@ section_m = 8
 
 /// With only some of the paths, shares are of those.
 TEST(AskedLine, OfASampleHasSharesOfTheSample) {
-  SimulatedRun run(std::string(line_slope) + collectors);
+  SimulatedRun run(bouncing_slope + collectors);
   const auto lines = drawn_again(run, run.model);
   const auto all = ask_lines(run.model, project::design_basis(run.project), run.paths, lines);
   run.paths.keep(400, [](std::uint64_t rock) { return rock % 4 == 1; });
@@ -236,7 +212,7 @@ TEST(AskedLine, OfASampleHasSharesOfTheSample) {
 }
 
 TEST(AskedLine, JudgesKitsByHeightAndEnergyTogether) {
-  const SimulatedRun run(std::string(line_slope) + collectors);
+  const SimulatedRun run(bouncing_slope + collectors);
   const auto answers = ask_lines(run.model, project::design_basis(run.project), run.paths, drawn_again(run, run.model));
   const LineAnswer& answer = answers.front();
   const DesignPlan& plan = answer.plan;
@@ -251,7 +227,7 @@ TEST(AskedLine, JudgesKitsByHeightAndEnergyTogether) {
 }
 
 TEST(AskedLine, IsWorstWhereItAsksForTheMostEnergy) {
-  const SimulatedRun run(std::string(line_slope) + collectors);
+  const SimulatedRun run(bouncing_slope + collectors);
   const auto answers = ask_lines(run.model, project::design_basis(run.project), run.paths, drawn_again(run, run.model));
   for (const LineAnswer& answer : answers) {
     const auto worst = answer.worst_section();
@@ -270,7 +246,7 @@ TEST(AskedLine, IsWorstWhereItAsksForTheMostEnergy) {
 
 /// Both ways are one path past one fence, further up or down.
 TEST(AskedLine, MayCrossItselfAndBeLong) {
-  const SimulatedRun run(line_slope);
+  const SimulatedRun run(bouncing_slope);
   Problems warnings;
   const AskedLine line =
       drawn_line(run.model, std::vector<PlanPlace>{{15, 2}, {25, 58}, {15, 58}, {25, 2}}, 5, "line", warnings);
@@ -292,7 +268,7 @@ std::string line_refusal(const Model& model, const std::vector<PlanPlace>& line)
 }
 
 TEST(AskedLine, IsRefusedWithTheReason) {
-  const Model model = testing_tools::model_of(line_slope);
+  const Model model = testing_tools::model_of(bouncing_slope);
   EXPECT_EQ(line_refusal(model, {}), "line: has 0 points (expected at least 2, from one end to the other)");
   EXPECT_EQ(line_refusal(model, {{3, 4}}), "line: has 1 point (expected at least 2, from one end to the other)");
   EXPECT_EQ(line_refusal(model, {{3, NAN}, {1e12, 4}, {5, 6}}),

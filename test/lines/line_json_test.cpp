@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "lines/slopes.hpp"
 #include "support/simulated_paths.hpp"
 #include "talus/lines/asked_run.hpp"
 
@@ -29,26 +30,7 @@ TEST(ThreeDigits, AreAsACardShowsThem) {
   EXPECT_EQ(three_digits(1234567), "1,230,000");
 }
 
-constexpr const char* card_slope = R"([terrain]
-section = [[0, 0], [30, -30], [80, -35]]
-width_m = 60
-
-[[material]]
-name = "Rock"
-normal_restitution = 0.4
-tangential_restitution = 0.85
-friction_angle_deg = 33
-roughness_deg = 10
-
-[[seeder]]
-type = "line"
-points = [[1, 10], [1, 50]]
-height_above_m = 1
-rocks = 40
-mass_kg = 900
-horizontal_velocity_m_s = 2
-)";
-
+const std::string card_slope = testing_tools::replaced(plain_slope, "rocks = 150", "rocks = 40");
 Json answer_to(const SimulatedRun& run, const std::vector<PlanPlace>& line, const AnswerOptions& options = {}) {
   Problems warnings;
   const AskedRun asked(run.model, std::make_unique<SimulatedPaths>(run.paths));

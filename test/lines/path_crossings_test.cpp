@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lines/slopes.hpp"
 #include "support/simulated_paths.hpp"
 
 namespace talus {
@@ -16,30 +17,8 @@ namespace {
 using testing_tools::replaced;
 using testing_tools::SimulatedRun;
 
-constexpr const char* crossed_slope = R"([analysis]
-model = "rigid_sphere"
-
-[terrain]
-section = [[0, 0], [12, -14], [18, -14.5], [30, -27], [70, -34]]
-width_m = 60
-
-[[material]]
-name = "Rock"
-normal_restitution = { mean = 0.45, distribution = "normal", std_dev = 0.06, rel_min = 0.2, rel_max = 0.2 }
-tangential_restitution = { mean = 0.85, distribution = "normal", std_dev = 0.04, rel_min = 0.1, rel_max = 0.1 }
-friction_angle_deg = 34
-roughness_deg = 12
-dynamic_friction = 0.5
-rolling_friction = 0.35
-
-[[seeder]]
-type = "line"
-points = [[1, 10], [1, 50]]
-height_above_m = 1
-rocks = 300
-mass_kg = { mean = 900, distribution = "lognormal", std_dev = 500, rel_min = 700, rel_max = 3000 }
-horizontal_velocity_m_s = 2
-
+const std::string crossed_slope =
+    replaced(replaced(bouncing_slope, "lumped_mass", "rigid_sphere"), "rocks = 400", "rocks = 300") + R"(
 [[barrier]]
 name = "Net"
 line = [[20, 0], [20, 35]]

@@ -6,7 +6,7 @@
 #include "results/end_points.hpp"
 #include "results/one_rock.hpp"
 #include "routes/results.hpp"
-#include "talus/statistics/order_statistics.hpp"
+#include "talus/results/design_result.hpp"
 
 namespace talus::server {
 
@@ -80,11 +80,8 @@ constexpr double share_confidence = 0.95;
 
 /// A count of rocks, and the share behind it with its confidence interval.
 Json with_share(const std::string& name, std::uint64_t rocks, std::uint64_t done) {
-  Json json{{"name", name}, {"rocks", rocks}, {"share", nullptr}};
-  if (done == 0) return json;
-  const ShareBounds bounds = share_bounds(rocks, done, share_confidence);
-  json["share"] = {static_cast<double>(rocks) / static_cast<double>(done), bounds.low, bounds.high};
-  return json;
+  const auto share = share_of(rocks, done, share_confidence);
+  return {{"name", name}, {"rocks", rocks}, {"share", share ? Json{share->value, share->low, share->high} : Json()}};
 }
 
 Json json_of(const CountsSoFar& counts, const std::vector<std::string>& barriers) {

@@ -63,6 +63,17 @@ DesignRow row_of(const DesignPlan& plan, const DesignLine& line, std::string sec
   return row;
 }
 
+/// The columns of the rocks that count and the caught ones.
+template <class Row>
+void fill_caught(Row& row, const std::optional<RockShare>& caught) {
+  if (!caught) return;
+  row.rocks = caught->of;
+  row.caught = caught->rocks;
+  row.caught_share = caught->value;
+  row.caught_share_low = caught->low;
+  row.caught_share_high = caught->high;
+}
+
 RankingRow row_of(const DesignPlan& plan, const KitChoice& kit, std::uint64_t rank) {
   const DesignLine& line = plan.lines[kit.line];
   RankingRow row{.rank = rank,
@@ -74,13 +85,7 @@ RankingRow row_of(const DesignPlan& plan, const KitChoice& kit, std::uint64_t ra
                  .suffices = kit.suffices,
                  .is_sure = kit.is_sure,
                  .cost = kit.cost};
-  if (const auto& caught = kit.caught) {
-    row.rocks = caught->of;
-    row.caught = caught->rocks;
-    row.caught_share = caught->value;
-    row.caught_share_low = caught->low;
-    row.caught_share_high = caught->high;
-  }
+  fill_caught(row, kit.caught);
   row.above = kit.above;
   row.through = kit.through;
   row.beside = kit.beside;
@@ -108,13 +113,7 @@ PairRow row_of(const DesignPlan& plan, const PairChoice& choice, std::uint64_t r
               .suffices = choice.suffices,
               .is_sure = choice.is_sure,
               .cost = choice.cost};
-  if (const auto& caught = choice.caught) {
-    row.rocks = caught->of;
-    row.caught = caught->rocks;
-    row.caught_share = caught->value;
-    row.caught_share_low = caught->low;
-    row.caught_share_high = caught->high;
-  }
+  fill_caught(row, choice.caught);
   row.caught_by_first = choice.by_first;
   row.at_second = choice.at_second;
   row.caught_by_second = choice.by_second;

@@ -23,8 +23,7 @@ std::string why_best_is_outside(const PreparedStudy& study, const CalibrationRes
   if (outside.empty()) return "";
   return fmt::format(
       "The best set lies outside the posterior's 5 to 95 % of {}: it has the least score, the distance of its rocks "
-      "from "
-      "the observed ones, while the posterior weights sets by their likelihood; predict with the posterior",
+      "from the observed ones, while the posterior weights sets by their likelihood; predict with the posterior",
       fmt::join(outside, ", "));
 }
 

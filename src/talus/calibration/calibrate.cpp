@@ -102,12 +102,6 @@ class Calibration {
       run_batch(k, std::min(k + sets_at_once, result_.sets.size()));
     }
     fit_misfit();
-    for (std::size_t k = 0; k < result_.sets.size(); ++k) {
-      SetResult& set = result_.sets[k];
-      set.log_likelihood = log_likelihood(set, result_.misfit);
-      set.smoothed_log_likelihood = smoothed_.values[k];
-    }
-    result_.likelihood_noise = smoothed_.noise;
   }
 
   /// Whether the posterior stands on too few sets.
@@ -185,15 +179,20 @@ class Calibration {
     const double most = boost::math::quantile(boost::math::chi_squared(summaries), improbable);
     constexpr int tries = 20;
     result_.misfit = 1;
-    for (int k = 0; k < tries; ++k) {
-      std::vector<double> likelihoods;
-      for (const SetResult& set : result_.sets) likelihoods.push_back(log_likelihood(set, result_.misfit));
-      smoothed_ = smoothed_likelihoods(sampler_.places(), likelihoods);
-      sampler_.set(smoothed_.values);
-      const double squared = squared_distance();
-      if (!(squared > most * result_.misfit)) return;
-      result_.misfit = squared / summaries;
+    weigh_with_misfit();
+    for (int k = 1; k < tries && squared_distance() > most * result_.misfit; ++k) {
+      result_.misfit = squared_distance() / summaries;
+      weigh_with_misfit();
     }
+  }
+
+  void weigh_with_misfit() {
+    std::vector<double> likelihoods;
+    for (SetResult& set : result_.sets) likelihoods.push_back(set.log_likelihood = log_likelihood(set, result_.misfit));
+    const SmoothedLikelihoods smoothed = smoothed_likelihoods(sampler_.places(), likelihoods);
+    for (std::size_t k = 0; k < result_.sets.size(); ++k) result_.sets[k].smoothed_log_likelihood = smoothed.values[k];
+    result_.likelihood_noise = smoothed.noise;
+    sampler_.set(smoothed.values);
   }
 
   /// Of the observed summaries from those of the posterior's sets: the mean [standard deviations, squared].
@@ -342,7 +341,6 @@ class Calibration {
   Sampler sampler_;
   bool keeps_marks_ = false;
   std::vector<GroupComparison> comparisons_;  // by group
-  SmoothedLikelihoods smoothed_;              // of all sets so far
   CalibrationResult result_;
 };
 

@@ -64,8 +64,8 @@ struct Candidate {
 std::vector<Candidate> candidates_on(const DesignPlan& plan, std::size_t line) {
   std::vector<Candidate> list;
   const auto add = [&](std::optional<std::size_t> kit, double height, double maximum_energy, double checked_energy) {
-    const std::size_t number =
-        index_of(plan.heights, height) * (plan.energies.size() + 1) + index_of(plan.energies, checked_energy);
+    const std::size_t number = first_sufficient(plan.heights, height) * (plan.energies.size() + 1) +
+                               first_sufficient(plan.energies, checked_energy);
     list.push_back({{line, kit, height, maximum_energy}, number, cost_of(plan, line, kit, height, maximum_energy)});
   };
   if (plan.kits.empty()) {

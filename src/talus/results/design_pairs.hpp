@@ -16,12 +16,6 @@ namespace talus {
 [[nodiscard]] std::vector<PairChoice> evaluate_pairs(const DesignPlan& plan, const DesignTally& tally,
                                                      const std::vector<std::optional<double>>& laterals);
 
-/// nullopt: there is no rock.
-[[nodiscard]] std::optional<RockShare> share_of(std::uint64_t rocks, std::uint64_t all, double confidence);
-
-/// The first of the ascending values that is not less; their number if all are.
-[[nodiscard]] std::size_t index_of(const std::vector<double>& ascending, double value);
-
 /// The price of a kit on a line, or else its cost index.
 [[nodiscard]] double cost_of(const DesignPlan& plan, std::size_t line, std::optional<std::size_t> kit, double height,
                              double maximum_energy);

@@ -145,8 +145,8 @@ class Evaluation {
   KitChoice choice_of_kit(std::size_t line, std::size_t number, double nominal_height) const {
     const DesignKit& of = plan_.kits[number];
     const DesignTally::Line& tally = tally_.lines[line];
-    const std::size_t height = index_of(plan_.heights, nominal_height);
-    const std::size_t energy = index_of(plan_.energies, of.checked_energy);
+    const std::size_t height = first_sufficient(plan_.heights, nominal_height);
+    const std::size_t energy = first_sufficient(plan_.energies, of.checked_energy);
     const std::uint64_t crossing = tally.demands.rocks(), all = crossing + tally.beside;
     const std::uint64_t caught = tally.demands.caught(height, energy);
     KitChoice kit{.line = line, .kit = number, .height = nominal_height, .maximum_energy = of.maximum_energy};
@@ -160,7 +160,7 @@ class Evaluation {
     kit.suffices = is_wanted(caught, all) && !kit.reaches_protected();
     if (of.residual_share) {
       kit.residual_height = nominal_height * *of.residual_share;
-      const std::size_t remaining = index_of(plan_.heights, *kit.residual_height);
+      const std::size_t remaining = first_sufficient(plan_.heights, *kit.residual_height);
       const std::uint64_t below = *kit.residual_height > 0 ? crossing - tally.demands.above(remaining) : 0;
       kit.below_residual = share_of(below, all, plan_.confidence);
     }
@@ -187,10 +187,6 @@ std::optional<RockShare> share_of(std::uint64_t rocks, std::uint64_t all, double
   if (all == 0) return std::nullopt;
   const ShareBounds bounds = share_bounds(rocks, all, confidence);
   return RockShare{rocks, all, static_cast<double>(rocks) / static_cast<double>(all), bounds.low, bounds.high};
-}
-
-std::size_t index_of(const std::vector<double>& ascending, double value) {
-  return static_cast<std::size_t>(std::ranges::lower_bound(ascending, value) - ascending.begin());
 }
 
 double cost_of(const DesignPlan& plan, std::size_t line, std::optional<std::size_t> kit, double height,

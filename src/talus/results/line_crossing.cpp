@@ -5,15 +5,6 @@
 
 namespace talus {
 
-namespace {
-
-/// Index of the first of the ascending values that is at least `needed`; their number if none is.
-std::uint32_t first_sufficient(const std::vector<double>& rising, double needed) {
-  return static_cast<std::uint32_t>(std::ranges::lower_bound(rising, needed) - rising.begin());
-}
-
-}  // namespace
-
 std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier) {
   std::optional<FirstCrossing> first;
   const auto consider = [&](const auto& crossings) {
@@ -27,6 +18,10 @@ std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t
   consider(log.hits);
   consider(log.passed_above);
   return first;
+}
+
+std::uint32_t first_sufficient(const std::vector<double>& ascending, double needed) {
+  return static_cast<std::uint32_t>(std::ranges::lower_bound(ascending, needed) - ascending.begin());
 }
 
 LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "talus/results/design_plan.hpp"
 #include "talus/trajectory/rock_log.hpp"
@@ -40,6 +41,9 @@ struct LineCrossing {
 
   [[nodiscard]] double of(CrossingQuantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }
 };
+/// Index of the first of the ascending values that is at least `needed`; their number if none is.
+[[nodiscard]] std::uint32_t first_sufficient(const std::vector<double>& ascending, double needed);
+
 [[nodiscard]] LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock,
                                          const FirstCrossing& crossing);
 

@@ -194,8 +194,8 @@ export const dragOf = (view: DragView, grip: GripDrag): Following => ({
   cancel: () => grip.cancel(),
 });
 
-/// Follows a pointer from the moment it is pressed on a handle: moves, drops, and cancels with Escape. `ended` is told
-/// whether anything was dragged.
+/// Follows a pointer from the moment it is pressed on a handle: moves, drops, and cancels with Escape. `ended` is
+/// called at the end with whether anything was dragged.
 export function followPointer(
   drag: Following,
   down: PointerEvent,
