@@ -5,19 +5,10 @@ import { useEffect, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
+import { textOf } from './documents';
 import { blocksOf, sectionOf, spansOf, type Block } from './markdown';
 import type { Topic } from '../model/schema';
 import './help.css';
-
-const texts: Record<string, () => Promise<{ default: string }>> = {
-  'laws.md': () => import('../../../docs/laws.md?raw'),
-  'barrier-design.md': () => import('../../../docs/barrier-design.md?raw'),
-  'terrain.md': () => import('../../../docs/terrain.md?raw'),
-  'gis.md': () => import('../../../docs/gis.md?raw'),
-  'outputs.md': () => import('../../../docs/outputs.md?raw'),
-  'materials.md': () => import('../../../docs/materials.md?raw'),
-  'project-file.md': () => import('../../../docs/project-file.md?raw'),
-};
 
 /// The topic that is open; null: none.
 export const reading = signal<Topic | null>(null);
@@ -29,7 +20,7 @@ export function DocumentDialog() {
   useEffect(() => {
     setWhole(false);
     setBlocks([]);
-    if (topic) void texts[topic.document]!().then(({ default: text }) => setBlocks(blocksOf(text)), reportFailure);
+    if (topic) void textOf(topic.document).then((text) => setBlocks(blocksOf(text)), reportFailure);
   }, [topic]);
   if (!topic) return null;
   const shown = isWhole ? blocks : sectionOf(blocks, topic.heading);
