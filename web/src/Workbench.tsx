@@ -1,6 +1,7 @@
 // The layout of the workbench: top bar, side panel with model, runs or text, the view, and results below it.
 
 import { useEffect } from 'preact/hooks';
+import { unitSystem } from './state/displayUnits';
 import { isStale } from './state/model';
 import { isAsking, sidePanel } from './state/view';
 import { AskCard } from './askLine/AskCard';
@@ -61,8 +62,8 @@ export function Workbench() {
           )}
         </div>
         <TimeBar />
-        <ResultsPanel />
-        {isAsking.value && <AskCard />}
+        <ResultsPanel key={`results in ${unitSystem.value}`} />
+        {isAsking.value && <AskCard key={`line in ${unitSystem.value}`} />}
       </main>
       <ContextMenu />
       <SavingDialogs />

@@ -45,3 +45,19 @@ test('the energies of a rock add up in the tooltip', async ({ workbench: page })
   );
   expect(Math.abs(kinetic! + potential! - mechanical!)).toBeLessThan(0.2); // of roundings to four digits
 });
+
+test('results are shown in feet on request; settings and places stay metric', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, a section');
+  await page.getByRole('tab', { name: 'Distributions' }).click();
+  const mean = page.locator('.data-table').filter({ hasText: 'Statistics' }).getByRole('row', { name: 'Mean' }).locator('td');
+  await expect(mean).toHaveText(/^[\d.]+$/);
+  const metres = Number(await mean.textContent());
+  const units = page.getByRole('button', { name: /^Units of results/ });
+  await units.click();
+  await expect(page.getByRole('combobox', { name: 'Quantity', exact: true }).locator('option:checked')).toHaveText('Runout on plan [ft]');
+  await expect.poll(async () => Number(await mean.textContent())).toBeCloseTo(metres / 0.3048, 1);
+  await page.getByLabel('Quantity', { exact: true }).selectOption('x_m');
+  await expect(page.locator('.drawing').first()).toContainText('[m]');
+  await page.reload();
+  await expect(units).toHaveText('ft');
+});

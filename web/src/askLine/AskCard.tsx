@@ -3,6 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { LineAnswer, PolygonAnswer } from '../api/line';
 import { tool } from '../scene/tool';
+import { displayOf } from '../state/displayUnits';
 import { crossingRocks, filter } from '../state/filter';
 import { hasResults, shown } from '../state/runs';
 import { isAsking } from '../state/view';
@@ -40,27 +41,21 @@ interface Figure {
 }
 
 const quantities = [
-  ['energy', 'ke_translational_J', 'kJ', 1000],
-  ['height', 'height_m', 'm', 1],
-  ['velocity', 'velocity_m_s', 'm/s', 1],
+  ['energy', 'ke_translational_J', 'J'],
+  ['height', 'height_m', 'm'],
+  ['velocity', 'velocity_m_s', 'm/s'],
 ] as const;
 
 /// The percentile of the design with its confidence interval: 95 % of the rocks have less.
-function percentilesIn({ percentiles }: PolygonAnswer, percentile: string): Figure[] {
-  return quantities.flatMap(([title, key, unit, per]) => {
+function percentilesIn({ percentiles }: Pick<PolygonAnswer, 'percentiles'>, percentile: string): Figure[] {
+  return quantities.flatMap(([title, key, metric]) => {
     const found = percentiles[key]?.[percentile];
     if (!found) return [];
+    const { unit, per } = displayOf(metric);
     const [value, low, high] = found.map((each) => (each === null ? null : numberText(each / per, 3)));
     return [{ title: `${percentile} % ${title}`, value: `${value} ${unit}`, interval: `${low ?? '–'} to ${high ?? 'unknown, too few rocks'}` }];
   });
 }
-
-const cardOf = ({ card, design_percentile }: LineAnswer): Figure[] =>
-  (['energy', 'height', 'velocity'] as const).map((key) => ({
-    title: `${design_percentile} % ${key}`,
-    value: card[key],
-    interval: card[`${key}_interval`],
-  }));
 
 /// The class of the kit that the standard asks for.
 function classOf({ whole: { needs, needs_at_upper_end: upper }, standard, card }: LineAnswer): Figure[] {
@@ -114,7 +109,7 @@ function OfLine({ of }: { of: LineAnswer }) {
       <EnoughRocks of={of.enough} />
       {rocks > 0 && (
         <>
-          <Figures of={[...cardOf(of), ...classOf(of)]} />
+          <Figures of={[...percentilesIn(of.whole, String(of.design_percentile)), ...classOf(of)]} />
           <KitSlider of={of.kits} />
           <ProfileOfLine of={of} />
         </>

@@ -8,6 +8,7 @@ import { Chart } from '../results/Chart';
 import { shownColour } from '../results/layers';
 import { fileName } from '../results/save';
 import { shown } from '../state/runs';
+import { displayOf } from '../state/displayUnits';
 import { kept } from '../state/kept';
 import { pointedPart } from './askedOverlay';
 import { hasPercentile, profileChoices, stretchesOf, type ProfileChoice } from './quantities';
@@ -16,15 +17,14 @@ const choice = kept<ProfileChoice>('profile of a line', 'ke_translational_J');
 
 export function ProfileOfLine({ of }: { of: LineAnswer }) {
   const by = choice.value;
-  const { title, unit, per } = profileChoices[by];
+  const { title } = profileChoices[by];
   const stretches = useMemo(() => stretchesOf(of.sections, by, of.design_percentile), [of, by]);
   const whole = hasPercentile(by) ? `${title}, ${of.design_percentile} %` : title;
   const draw = useCallback(
     (element: SVGSVGElement, room: Room) =>
       lineProfile(element, room, {
         title: whole,
-        unit,
-        per,
+        ...displayOf(profileChoices[by].unit),
         stretches,
         worst: of.worst?.section ?? null,
         colour: shownColour,

@@ -2,10 +2,12 @@
 
 import type { LineFigures, LineQuantity } from '../api/line';
 import type { Stretch } from '../figures/lineProfile';
-import type { Quantity } from '../figures/plot';
 
 export type ProfileChoice = 'rocks' | 'share' | LineQuantity;
-interface Choice extends Quantity {
+interface Choice {
+  title: string;
+  /// Of the answers.
+  unit: string;
   of: (figures: LineFigures, percentile: string) => [number, number | null, number | null] | null;
 }
 
@@ -16,12 +18,12 @@ const percentileOf =
 
 /// By the percentile of the design. Energy alone is translational, as in the standard; total energy has the rotation.
 export const profileChoices: Record<ProfileChoice, Choice> = {
-  ke_translational_J: { title: 'Energy', unit: 'kJ', per: 1000, of: percentileOf('ke_translational_J') },
-  ke_total_J: { title: 'Total energy', unit: 'kJ', per: 1000, of: percentileOf('ke_total_J') },
-  velocity_m_s: { title: 'Velocity', unit: 'm/s', per: 1, of: percentileOf('velocity_m_s') },
-  height_m: { title: 'Height', unit: 'm', per: 1, of: percentileOf('height_m') },
-  rocks: { title: 'Rocks', unit: '', per: 1, of: ({ rocks }) => [rocks, null, null] },
-  share: { title: 'Share of all rocks', unit: '%', per: 0.01, of: ({ share }) => share && [share.value, share.low, share.high] },
+  ke_translational_J: { title: 'Energy', unit: 'J', of: percentileOf('ke_translational_J') },
+  ke_total_J: { title: 'Total energy', unit: 'J', of: percentileOf('ke_total_J') },
+  velocity_m_s: { title: 'Velocity', unit: 'm/s', of: percentileOf('velocity_m_s') },
+  height_m: { title: 'Height', unit: 'm', of: percentileOf('height_m') },
+  rocks: { title: 'Rocks', unit: '', of: ({ rocks }) => [rocks, null, null] },
+  share: { title: 'Share of all rocks', unit: 'share', of: ({ share }) => share && [share.value, share.low, share.high] },
 };
 
 export const hasPercentile = (of: ProfileChoice) => of !== 'rocks' && of !== 'share';

@@ -17,7 +17,6 @@ export interface EnergyRow {
   text: string;
 }
 
-const kJ = (joules: number) => joules / 1000;
 /// `turns` is the change of each energy for a rise of potential energy by 1.
 const curves = [
   { name: 'potential', label: 'potential', of: (row: EnergyRow) => row.potential, turns: 1 },
@@ -36,9 +35,13 @@ export interface Energy {
   rows: readonly EnergyRow[];
   /// Whether every row has a dot.
   hasDots: boolean;
+  /// The displayed unit, of so many joules.
+  unit?: string;
+  per?: number;
 }
 
-export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDots }: Energy) {
+export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDots, unit = 'kJ', per = 1000 }: Energy) {
+  const shownIn = (joules: number) => joules / per;
   const svg = openDrawing(element, room);
   const shown = curves.filter(({ name, of }) => name !== 'rotational' || rows.some((row) => of(row) !== 0));
   const groups = shown.map(() => svg.append('g') as Group);
@@ -47,9 +50,9 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
       rows.map(({ place }) => place),
       0.02,
     ),
-    y: extentOf([0, ...rows.flatMap((row) => shown.map(({ of }) => kJ(of(row))))]),
+    y: extentOf([0, ...rows.flatMap((row) => shown.map(({ of }) => shownIn(of(row))))]),
     xLabel,
-    yLabel: 'Energy [kJ]',
+    yLabel: `Energy [${unit}]`,
     entries: shown
       .map(({ name, label }, k) => ({
         text: `${label} energy`,
@@ -58,7 +61,7 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
       }))
       .reverse(),
   });
-  const at = (place: number, joules: number) => `${plot.x(place).toFixed(2)},${plot.y(kJ(joules)).toFixed(2)}`;
+  const at = (place: number, joules: number) => `${plot.x(place).toFixed(2)},${plot.y(shownIn(joules)).toFixed(2)}`;
   shown.forEach(({ name, of, turns }, k) => {
     const path = rows.map((row, i) => {
       const from = rows[i - 1];
@@ -74,7 +77,7 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
       .append('circle')
       .attr('class', `stop ${name}`)
       .attr('r', 3);
-    dots.attr('cx', (row: EnergyRow) => plot.x(row.place)).attr('cy', (row: EnergyRow) => plot.y(kJ(of(row))));
+    dots.attr('cx', (row: EnergyRow) => plot.x(row.place)).attr('cy', (row: EnergyRow) => plot.y(shownIn(of(row))));
   });
   const places = rows.map(({ place }) => place);
   const isAscending = places.every((place, k) => k === 0 || places[k - 1]! <= place);
@@ -85,7 +88,7 @@ export function energy(element: SVGSVGElement, room: Room, { xLabel, rows, hasDo
     order.map(({ place }) => place),
     (k) => {
       const row = order[k]!;
-      return [row.text, ...shown.map(({ label, of }) => `${label} ${measured(kJ(of(row)))} kJ`).reverse()].join('\n');
+      return [row.text, ...shown.map(({ label, of }) => `${label} ${measured(shownIn(of(row)))} ${unit}`).reverse()].join('\n');
     },
   );
 }

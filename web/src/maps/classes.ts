@@ -17,7 +17,7 @@ export function classOf(classes: readonly MapClass[], value: number): number {
 
 /// The text in a legend: "< 30", "30 – 100", "≥ 3,000".
 export function classText({ from, to }: MapClass, isFirst: boolean): string {
-  const text = (value: number) => (value >= 1e4 || value === 0 || value >= 0.001 ? value.toLocaleString('en', { maximumSignificantDigits: 6 }) : value.toExponential(0).replace('-', '−'));
+  const text = (value: number) => (value >= 1e4 || value === 0 || value >= 0.001 ? value.toLocaleString('en', { maximumSignificantDigits: 4 }) : value.toExponential(0).replace('-', '−'));
   if (to === null) return `≥ ${text(from)}`;
   return isFirst ? `< ${text(to)}` : `${text(from)} – ${text(to)}`;
 }

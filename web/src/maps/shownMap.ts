@@ -7,7 +7,8 @@ import type { RunMap } from '../api/types';
 import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
 import { drapedMap } from '../state/view';
-import { displayOf } from '../results/columns';
+import { displayOf, unitSystem } from '../state/displayUnits';
+import { displayedIn } from '../units/units';
 import type { MapClass } from './classes';
 import type { MapHeader } from './header';
 
@@ -33,15 +34,18 @@ export const shownMap = signal<ShownMap | null>(null);
 
 function mapOf({ name, meaning, unit: unitOfFile }: RunMap, header: MapHeader, inFile: Float32Array): ShownMap {
   const { unit, per } = displayOf(unitOfFile);
+  const metric = displayedIn('metric', unitOfFile).per; // of the classes in the header
+  const classes = header.classes.map(({ from, to, colour }) => ({ from: (from * metric) / per, to: to === null ? null : (to * metric) / per, colour }));
   const values = per === 1 ? inFile : inFile.map((value) => value / per);
   let [least, greatest] = [Infinity, -Infinity];
   for (const value of values)
     if (!Number.isNaN(value)) [least, greatest] = [Math.min(least, value), Math.max(greatest, value)];
-  return { name, meaning, header, classes: header.classes, unit, values, least, greatest };
+  return { name, meaning, header, classes, unit, values, least, greatest };
 }
 
 effect(() => {
   const [run, name] = [shown.value, drapedMap.value];
+  void unitSystem.value; // its unit is that of the map
   if (!run || !hasResults(run) || run.dimension !== 3 || name === null) {
     shownMap.value = null;
     return;

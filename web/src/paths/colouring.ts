@@ -4,6 +4,7 @@ import { computed } from '@preact/signals';
 import { categoryColour, pathRamp, type Ramp } from '../view/colours';
 import { pathColour, type PathColour } from '../view/settings';
 import { runColour, shade } from '../view/theme';
+import { displayOf } from '../state/displayUnits';
 import { roundUp } from '../view/ticks';
 import { comparedPaths, shownPaths, type DrawnPaths } from './drawnPaths';
 
@@ -20,9 +21,11 @@ export interface ScaleColouring {
   kind: 'scale';
   by: 'speed' | 'energy' | 'height';
   title: string; // with the unit
-  values: Float32Array; // one per point; NaN: unknown
+  values: Float32Array; // one per point, in metric units; NaN: unknown
   low: number;
   high: number;
+  /// Values are divided by this for display.
+  per: number;
   /// Whether values above `high` are drawn in its colour.
   isClipped: boolean;
   ramp: Ramp;
@@ -65,14 +68,15 @@ function topOf(values: Float32Array): { high: number; isClipped: boolean } {
 const tops = new WeakMap<Float32Array, ReturnType<typeof topOf>>();
 
 function scale(paths: DrawnPaths, by: ScaleColouring['by']): ScaleColouring {
-  const [values, unit] = {
+  const [values, metric] = {
     speed: [paths.speeds, 'm/s'] as const,
     energy: [paths.energies, 'kJ'] as const,
     height: [paths.heights, 'm'] as const,
   }[by];
+  const { unit, per } = displayOf(metric);
   const top = tops.get(values) ?? topOf(values);
   tops.set(values, top);
-  return { kind: 'scale', by, title: `${pathColours[by]}, ${unit}`, values, low: 0, ...top, ramp: pathRamp[shade.value] };
+  return { kind: 'scale', by, title: `${pathColours[by]}, ${unit}`, values, low: 0, ...top, per, ramp: pathRamp[shade.value] };
 }
 
 function kinds({ header, sources, seeders, reasons }: DrawnPaths, by: KindsColouring['by']): KindsColouring {

@@ -21,8 +21,8 @@ export function pathLegends(): LegendData[] {
     ];
     list.push({ kind: 'kinds', title: 'Trajectories of two runs', kinds });
   } else if (how.kind === 'scale') {
-    const { title, low, high, isClipped } = how;
-    list.push({ kind: 'scale', title, stops: stopsOf(how.ramp), low, high, isClipped });
+    const { title, per, isClipped } = how;
+    list.push({ kind: 'scale', title, stops: stopsOf(how.ramp), low: how.low / per, high: how.high / per, isClipped });
   } else {
     const kinds = how.names.map((name, k) => ({ name, colour: how.colours[k]! })).filter((_, k) => how.isUsed[k]);
     list.push({ kind: 'kinds', title: how.title, kinds });

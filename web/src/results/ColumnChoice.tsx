@@ -1,4 +1,4 @@
-import { type EndpointNumber, type HitNumber, displayOf, titleOf, unitOf, withUnit } from './columns';
+import { type EndpointNumber, type HitNumber, displayOfColumn, titleOf, withUnit } from './columns';
 
 /// The choice of a column of a table.
 export function ColumnChoice({
@@ -16,7 +16,7 @@ export function ColumnChoice({
       <select value={now} onChange={(event) => choose(event.currentTarget.value)}>
         {columns.map((column) => (
           <option key={column} value={column}>
-            {withUnit(titleOf(column), displayOf(unitOf(column)).unit)}
+            {withUnit(titleOf(column), displayOfColumn(column).unit)}
           </option>
         ))}
       </select>

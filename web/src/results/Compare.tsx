@@ -11,7 +11,7 @@ import { filter } from '../state/filter';
 import { compared, comparedId, hasResults, ownRuns } from '../state/runs';
 import { Chart } from './Chart';
 import { ColumnChoice, endpointChoices, hitChoices } from './ColumnChoice';
-import { displayOf, savingOf, titleOf, withUnit } from './columns';
+import { displayOfColumn, savingOf, titleOf, withUnit } from './columns';
 import { BarrierCounts } from './BarrierCounts';
 import { DistributionFigures } from './DistributionFigures';
 import { boxesOf, firstColour, quantityOf, secondColour, type Layer } from './layers';
@@ -77,7 +77,6 @@ function Figures({ run, other, columns, thing, barrier, tools }: FiguresProps) {
     return [layer(nameOf(run, other), found.both[0], firstColour), layer(nameOf(other, run), found.both[1], secondColour)];
   }, [found, run.id, other.id]);
   const of = [run.name, other.name, barrier].filter(Boolean).join(' ');
-  const unit = displayOf(layers[0]?.statistics.unit ?? '').unit;
   return (
     <>
       <div class="tab-tools">
@@ -96,10 +95,11 @@ function Figures({ run, other, columns, thing, barrier, tools }: FiguresProps) {
           <Boxes layers={layers} column={found.column} of={of} />
           <div class="across">
             <StatisticsTable
-              caption={`Statistics: ${withUnit(titleOf(found.column), unit)}`}
+              caption={`Statistics: ${withUnit(titleOf(found.column), displayOfColumn(found.column).unit)}`}
               file={fileName(of, found.column, 'statistics')}
               columns={layers.map(({ name, statistics }) => ({
                 key: `${found.column} of ${name}`,
+                quantity: found.column,
                 title: name,
                 unit: statistics.unit,
                 figures: statistics.statistics,

@@ -1,10 +1,11 @@
 // A table of results, saved and copied with all digits.
 
 import type { ComponentChildren } from 'preact';
-import { decimalsOf, shiftedText } from '../ui/format';
+import { decimalsOf, dividedText } from '../ui/format';
 import type { NumberText } from '../api/exact';
 import { allDigits } from '../state/view';
-import { asInFiles, displayOf } from './columns';
+import { displayOf } from '../state/displayUnits';
+import { asInFiles, displayOfColumn } from './columns';
 import { saveCsv } from '../figures/files';
 import { fixedText, measured } from '../figures/format';
 import { copyRows } from './save';
@@ -14,6 +15,8 @@ export interface Column {
   key: string;
   title: string;
   unit?: string;
+  /// The column of the results that it shows, if it has another name.
+  quantity?: string;
   isText?: boolean;
   /// Whether its texts are units.
   isUnit?: boolean;
@@ -36,10 +39,12 @@ interface Props {
   rowClass?: (row: number) => string;
 }
 
+const displayIn = ({ key, quantity = key, unit: own = '' }: Column, unit = own) => displayOfColumn(quantity, unit);
+
 /// The text in the displayed unit.
-function displayedText(text: NumberText, { isText, isUnit }: Column, unit: string): string {
-  if (isUnit) return displayOf(text).unit;
-  return isText ? text : shiftedText(text, displayOf(unit).places);
+function displayedText(text: NumberText, column: Column, unit: string): string {
+  if (column.isUnit) return displayOf(text).unit;
+  return column.isText ? text : dividedText(text, displayIn(column, unit).per);
 }
 
 /// The text as shown, rounded unless `exact`; `decimals` of its column, if fixed.
@@ -52,8 +57,8 @@ function shownText(whole: string, { isText }: Column, exact: boolean, decimals: 
 
 export function DataTable(props: Props) {
   const { caption, file, columns, rows, hasHeads, exact = allDigits.value, isSeries, tools, unitAt, rowClass } = props;
-  const isConverted = columns.some(({ unit = '', isUnit }) => isUnit || displayOf(unit).places !== 0);
-  const remark = isConverted ? asInFiles : undefined;
+  const isConverted = columns.some((column) => column.isUnit || displayIn(column).per !== 1);
+  const remark = isConverted ? asInFiles() : undefined;
   const displayed = rows.map((row, k) => row.map((text, c) => displayedText(text, columns[c]!, unitAt?.(k, c) ?? columns[c]!.unit ?? '')));
   const decimals = columns.map(({ isText }, c) =>
     isSeries && !isText ? decimalsOf(displayed.flatMap((row) => (row[c] === '' ? [] : [Number(row[c])]))) : null,
@@ -78,7 +83,7 @@ export function DataTable(props: Props) {
               {columns.map((column) => (
                 <th key={column.key} scope="col" class={column.isText ? '' : 'number'}>
                   {column.title}
-                  {column.unit && <span class="unit">{displayOf(column.unit).unit}</span>}
+                  {column.unit && <span class="unit">{displayIn(column).unit}</span>}
                 </th>
               ))}
             </tr>

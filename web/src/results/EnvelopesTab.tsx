@@ -3,14 +3,21 @@
 import { useCallback, useMemo, useState } from 'preact/hooks';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import { envelope, envelopeRows } from '../figures/envelope';
+import { envelope, envelopeRows, type EnvelopeQuantity } from '../figures/envelope';
 import { titleOf, type Room } from '../figures/plot';
 import { Chart } from './Chart';
+import { displayOf } from '../state/displayUnits';
 import { envelopesOf, quantitiesOf } from './envelopes';
 import { shownColour } from './layers';
 import { useRemote } from './remote';
 import { fileName } from './save';
 import { Waiting } from './Waiting';
+
+/// The file's numbers are divided by `per` of the quantity for its unit, and further for the unit in which it is shown.
+function inDisplayedUnit(quantity: EnvelopeQuantity): EnvelopeQuantity {
+  const { unit, per } = displayOf(quantity.unit);
+  return { ...quantity, unit, per: quantity.per * per };
+}
 
 export function EnvelopesTab({ run }: { run: Run }) {
   const answer = useRemote(run.id, `${run.state} ${run.done}`, (signal) =>
@@ -22,7 +29,7 @@ export function EnvelopesTab({ run }: { run: Run }) {
   const quantity = quantities.find(({ key }) => key === chosen) ?? quantities[0];
   const draw = useCallback(
     (element: SVGSVGElement, room: Room) =>
-      quantity && envelope(element, room, { ...quantity, of: [cells], walls: [] }),
+      quantity && envelope(element, room, { ...inDisplayedUnit(quantity), of: [cells], walls: [] }),
     [cells, quantity],
   );
   if (answer.value === null) return <Waiting of={answer} />;
@@ -31,7 +38,7 @@ export function EnvelopesTab({ run }: { run: Run }) {
     <div class="tab-block">
       <Chart
         title="Along the section"
-        description={`${titleOf(quantity)} in cells along the section. The CSV button saves the numbers.`}
+        description={`${titleOf(inDisplayedUnit(quantity))} in cells along the section. The CSV button saves the numbers.`}
         file={fileName(run.name, `envelope ${quantity.key}`)}
         draw={draw}
         rows={() => envelopeRows([cells], quantity.key)}
@@ -43,7 +50,7 @@ export function EnvelopesTab({ run }: { run: Run }) {
           >
             {quantities.map((each) => (
               <option key={each.key} value={each.key}>
-                {titleOf(each)}
+                {titleOf(inDisplayedUnit(each))}
               </option>
             ))}
           </select>

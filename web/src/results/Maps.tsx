@@ -5,7 +5,7 @@ import type { Run, RunMap } from '../api/types';
 import { OverMap } from '../maps/OverMap';
 import { drapedMap, drapedOpacity } from '../state/view';
 import { numberText } from '../ui/format';
-import { displayOf } from './columns';
+import { displayOf } from '../state/displayUnits';
 import { useRemote } from './remote';
 import { Waiting } from './Waiting';
 

@@ -4,6 +4,7 @@ import { energy } from '../figures/energy';
 import { numberText } from '../figures/format';
 import type { Room } from '../figures/plot';
 import { Chart } from './Chart';
+import { displayOf } from '../state/displayUnits';
 import { asInFiles } from './columns';
 import { fileName } from './save';
 
@@ -18,7 +19,7 @@ export function RockEnergy({ run, rock, path }: { run: Run; rock: number; path: 
         potential,
         text: `${numberText(time)} s`,
       }));
-      energy(element, room, { xLabel: 'Time [s]', rows, hasDots: false });
+      energy(element, room, { xLabel: 'Time [s]', rows, hasDots: false, ...displayOf('J') });
     },
     [path],
   );
@@ -28,7 +29,7 @@ export function RockEnergy({ run, rock, path }: { run: Run; rock: number; path: 
       description={`Translational and rotational kinetic energy and potential energy of rock ${rock} over time. The CSV button saves their numbers.`}
       file={fileName(run.name, `rock ${rock} energy`)}
       draw={draw}
-      saving={asInFiles}
+      saving={asInFiles()}
       rows={() => [['time_s', 'ke_translational_J', 'ke_rotational_J', 'pe_J'], ...path.energy]}
     />
   );

@@ -7,8 +7,8 @@ import { figureText, figuresOf, unitOfFigure } from './statisticsTable';
 interface Props {
   caption: string;
   file: string;
-  /// For each column: its name in the file, its title, its unit, its values.
-  columns: { key: string; title: string; unit: string; figures: FigureTexts }[];
+  /// For each column: its name in the file, the column of the results if it has another name, its title, unit and values.
+  columns: { key: string; quantity?: string; title: string; unit: string; figures: FigureTexts }[];
 }
 
 /// Descriptive statistics side by side, one statistic per row.
@@ -24,7 +24,7 @@ export function StatisticsTable({ caption, file, columns }: Props) {
       tools={<DigitsSwitch all={allDigits} />}
       columns={[
         { key: 'figure', title: 'Figure', isText: true },
-        ...columns.map(({ key, title, unit }) => ({ key, title, unit })),
+        ...columns.map(({ figures: _, ...column }) => column),
       ]}
       unitAt={(row, c) => columns[c - 1] && unitOfFigure(shown[row]!.key, columns[c - 1]!.unit)}
       rows={shown.map(({ key, title }) => [

@@ -8,6 +8,8 @@ import {
   hitNumbers,
   pathColumns,
 } from '../generated/columns';
+import { displayOf, unitSystem } from '../state/displayUnits';
+import type { Displayed } from '../units/units';
 
 /// What statistics can be asked for: of end points, and of the hits on a barrier.
 export type EndpointNumber = keyof typeof endpointNumbers;
@@ -59,13 +61,16 @@ export const unitOf = (column: string): string => units.get(endpointColumnOf(col
 /// The title of a column, or its name if it has none.
 export const titleOf = (column: string): string => titles[column as keyof typeof titles] ?? column;
 
-/// The displayed unit of numbers in `unit`, which are divided by `per` = 10^`places`: energies are shown in kJ.
-export function displayOf(unit: string): { unit: string; per: number; places: number } {
-  const places = { J: 3, 'J²': 6 }[unit] ?? 0;
-  return places === 0 ? { unit, per: 1, places } : { unit: `k${unit}`, per: 10 ** places, places };
-}
+/// Places are metric always, as on the map and in the forms.
+const places: ReadonlySet<string> = new Set(['x_m', 'y_m', 'z_m', 'end_x_m', 'station_m']);
+
+/// How numbers of a column in `unit` are shown.
+export const displayOfColumn = (column: string, unit = unitOf(column)): Displayed =>
+  places.has(column) ? { unit, per: 1 } : displayOf(unit);
+
 /// A remark on saved numbers that are displayed in another unit.
-export const asInFiles = 'With the numbers of the files: energies in J';
-export const savingOf = (column: string) => (displayOf(unitOf(column)).places === 0 ? undefined : asInFiles);
+export const asInFiles = () =>
+  unitSystem.value === 'metric' ? 'With the numbers of the files: energies in J' : 'With the numbers of the files, in metric units';
+export const savingOf = (column: string) => (displayOfColumn(column).per === 1 ? undefined : asInFiles());
 
 export const withUnit = (title: string, unit: string) => (unit ? `${title} [${unit}]` : title);

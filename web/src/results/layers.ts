@@ -5,7 +5,7 @@ import type { Bins } from '../figures/histogram';
 import type { Box } from '../figures/boxes';
 import type { Quantity } from '../figures/plot';
 import type { Steps } from '../figures/cumulative';
-import { displayOf, titleOf } from './columns';
+import { displayOfColumn, titleOf } from './columns';
 
 /// The statistics of one run or group.
 export interface Layer {
@@ -21,8 +21,7 @@ export const firstColour = 'var(--run-shown)';
 export const secondColour = 'var(--run-compared)';
 
 export function quantityOf(column: string, layers: readonly Layer[]): Quantity {
-  const { unit, per } = displayOf(layers[0]?.statistics.unit ?? '');
-  return { title: titleOf(column), unit, per };
+  return { title: titleOf(column), ...displayOfColumn(column, layers[0]?.statistics.unit) };
 }
 
 export const binsOf = (layers: readonly Layer[]): Bins[] =>

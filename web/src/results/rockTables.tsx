@@ -3,7 +3,7 @@ import { hitColumns, pathColumns } from '../generated/columns';
 import { allDigits } from '../state/view';
 import { numberText } from '../ui/format';
 import { DataTable, type Column } from './DataTable';
-import type { HitColumn, PathColumn } from './columns';
+import { displayOfColumn, type HitColumn, type PathColumn } from './columns';
 import { DigitsSwitch } from './DigitsSwitch';
 import { fileName } from './save';
 
@@ -80,16 +80,19 @@ export function HitsTable({ run, rock, path }: Props) {
 
 /// The main values of the rock's row of endpoints.csv.
 export function RockFacts({ endpoint }: { endpoint: Record<string, string> }) {
-  const number = (key: string, unit: string, per = 1) => `${numberText(Number(endpoint[key]) / per)} ${unit}`;
+  const number = (key: string) => {
+    const { unit, per } = displayOfColumn(key);
+    return `${numberText(Number(endpoint[key]) / per)} ${unit}`;
+  };
   const facts: [string, string][] = [
     ['Seeder', endpoint.seeder ?? ''],
     ...(endpoint.ensemble ? [['Ensemble', endpoint.ensemble] as [string, string]] : []),
-    ['Mass', number('mass_kg', 'kg')],
+    ['Mass', number('mass_kg')],
     ['End reason', endpoint.end_reason ?? ''],
-    ['Runout on plan', number('runout_xy_m', 'm')],
-    ['Time', number('time_s', 's')],
-    ['Maximum total kinetic energy', number('max_ke_J', 'kJ', 1000)],
-    ['Maximum bounce height', number('max_bounce_m', 'm')],
+    ['Runout on plan', number('runout_xy_m')],
+    ['Time', number('time_s')],
+    ['Maximum total kinetic energy', number('max_ke_J')],
+    ['Maximum bounce height', number('max_bounce_m')],
   ];
   return (
     <dl class="rock-facts">

@@ -1,4 +1,5 @@
 import { shownMap, valueAt } from '../maps/shownMap';
+import { displayOf } from '../state/displayUnits';
 import { numberText } from '../ui/format';
 import { roundStep } from '../view/ticks';
 import { ToolHint } from './ToolHint';
@@ -7,8 +8,10 @@ import { camera, contourInterval, pointer } from './picture';
 /// Scale bar, contour interval, and the point under the pointer.
 export function StatusLine() {
   const { metresPerPixel } = camera.value;
-  let metres = roundStep(60 * metresPerPixel);
-  if (metres / metresPerPixel > 150) metres /= 2;
+  const { unit, per } = displayOf('m');
+  const perPixel = metresPerPixel / per;
+  let length = roundStep(60 * perPixel);
+  if (length / perPixel > 150) length /= 2;
   const place = pointer.value;
   const map = shownMap.value;
   const value = map && place && valueAt(map, place.point);
@@ -16,8 +19,8 @@ export function StatusLine() {
     <div class="status-line">
       <ToolHint />
       <span class="scale-bar" title="At the centre of the view">
-        <i style={{ width: `${metres / metresPerPixel}px` }} />
-        {metres >= 1000 ? `${metres / 1000} km` : `${numberText(metres)} m`}
+        <i style={{ width: `${length / perPixel}px` }} />
+        {unit === 'm' && length >= 1000 ? `${length / 1000} km` : `${numberText(length)} ${unit}`}
       </span>
       {contourInterval.value > 0 && <span>contour interval {numberText(contourInterval.value)} m</span>}
       {place && map && (

@@ -1,6 +1,7 @@
 // What a ground section has besides the ground: the width of its corridor, and its envelope.
 
 import { filter, isFiltering } from '../state/filter';
+import { displayOf } from '../state/displayUnits';
 import { counted } from '../ui/format';
 import { corridorWidth, sectionEnvelope } from '../view/settings';
 import { corridorPaths, drawnCount } from './corridorTraces';
@@ -37,7 +38,7 @@ export function CorridorChoices() {
           <option value="">none</option>
           {Object.entries(envelopeChoices).map(([key, { title, unit }]) => (
             <option key={key} value={key}>
-              {title} [{unit}]
+              {title} [{displayOf(unit).unit}]
             </option>
           ))}
         </select>

@@ -3,6 +3,7 @@
 import type { LineQuantity, StationAnswer } from '../api/line';
 import type { Point2 } from '../api/types';
 import type { AlongLine } from '../figures/profile';
+import type { Displayed } from '../units/units';
 
 export interface Station {
   /// Along the section [m].
@@ -37,17 +38,17 @@ export function stationsAlong(line: readonly Point2[], halfWidth: number, count:
   return stations;
 }
 
-/// Quantities of the envelopes (height above the ground, total kinetic energy, velocity), with their displayed unit; answers are divided by `per`.
+/// Quantities of the envelopes (height above the ground, total kinetic energy, velocity), with the unit of the answers.
 export const envelopeChoices = {
-  height_m: { title: 'Height', unit: 'm', per: 1 },
-  ke_total_J: { title: 'Energy', unit: 'kJ', per: 1000 },
-  velocity_m_s: { title: 'Velocity', unit: 'm/s', per: 1 },
-} as const satisfies Partial<Record<LineQuantity, { title: string; unit: string; per: number }>>;
+  height_m: { title: 'Height', unit: 'm' },
+  ke_total_J: { title: 'Energy', unit: 'J' },
+  velocity_m_s: { title: 'Velocity', unit: 'm/s' },
+} as const satisfies Partial<Record<LineQuantity, { title: string; unit: string }>>;
 export type EnvelopeChoice = keyof typeof envelopeChoices;
 
-/// The maximum and the 95th percentile at the stations.
-export function envelopeOf(distances: readonly number[], answers: readonly StationAnswer[], of: EnvelopeChoice): AlongLine {
-  const { title, unit, per } = envelopeChoices[of];
+/// The maximum and the 95th percentile at the stations, as displayed.
+export function envelopeOf(distances: readonly number[], answers: readonly StationAnswer[], of: EnvelopeChoice, { unit, per }: Displayed): AlongLine {
+  const { title } = envelopeChoices[of];
   const shown = (value: number | null | undefined) => (value === null || value === undefined ? null : value / per);
   return {
     label: `${title} [${unit}]`,

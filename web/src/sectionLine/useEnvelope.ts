@@ -3,10 +3,11 @@
 import { useMemo } from 'preact/hooks';
 import { asking } from '../api/line';
 import { useRemote } from '../results/remote';
+import { displayOf, unitSystem } from '../state/displayUnits';
 import { hasResults, shown } from '../state/runs';
 import { corridorWidth, sectionEnvelope } from '../view/settings';
 import { sectionLine } from './sectionLine';
-import { envelopeOf, stationsAlong } from './stations';
+import { envelopeChoices, envelopeOf, stationsAlong } from './stations';
 
 const stationCount = 80;
 
@@ -21,8 +22,8 @@ export function useEnvelope() {
     answers: await asking.stations(run!.id, stations.map((station) => station.line), signal),
   }));
   const envelope = useMemo(
-    () => (wanted !== '' && answer.value ? envelopeOf(answer.value.distances, answer.value.answers, wanted) : null),
-    [answer.value, wanted],
+    () => (wanted !== '' && answer.value ? envelopeOf(answer.value.distances, answer.value.answers, wanted, displayOf(envelopeChoices[wanted].unit)) : null),
+    [answer.value, wanted, unitSystem.value],
   );
   return { envelope, error: isAsked ? answer.error : null };
 }

@@ -3,6 +3,7 @@ import { close } from '../state/opening';
 import { save, savingAs } from '../state/saving';
 import { isBuilding } from '../state/model';
 import { isConnected, running, stop } from '../state/runs';
+import { displayOf, unitSystem } from '../state/displayUnits';
 import { theme, type Theme } from '../state/view';
 import { ComputeMenu } from '../runs/ComputeMenu';
 import { RunEnds } from '../runs/RunEnds';
@@ -77,6 +78,14 @@ export function TopBar() {
       )}
       {isBuilding.value && <span class="faint">checking…</span>}
       <ComputeMenu />
+      <button
+        class="button icon"
+        title={`Units of results: ${unitSystem.value}`}
+        aria-label={`Units of results: ${unitSystem.value}`}
+        onClick={() => (unitSystem.value = unitSystem.value === 'metric' ? 'US customary' : 'metric')}
+      >
+        {displayOf('m').unit}
+      </button>
       <button
         class="button icon"
         title={`Theme: ${theme.value}`}

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { decimalsOf, fixedText, shiftedText } from './format';
+import { decimalsOf, fixedText, dividedText, shiftedText } from './format';
 
 test('changing the unit of a number keeps its digits', () => {
   expect(shiftedText('152530.42507165897', 3)).toBe('152.53042507165897');
@@ -22,4 +22,11 @@ test('a column has enough decimals to distinguish its values', () => {
   expect(fixedText(2667891.2345, 2)).toBe('2,667,891.23');
   expect(fixedText(3, 2)).toBe('3.00');
   expect(fixedText(-1e-17, 2)).toBe('0.00');
+});
+
+test('division of a number text', () => {
+  expect(dividedText('152530.42507165897', 1000)).toBe('152.53042507165897');
+  expect(dividedText('0.3048', 0.3048)).toBe('1');
+  expect(dividedText('', 0.3048)).toBe('');
+  expect(dividedText('unlimited', 0.3048)).toBe('unlimited');
 });

@@ -33,6 +33,14 @@ export function shiftedText(text: string, places: number): string {
   return `${sign}${digits.slice(0, point)}${behind && `.${behind}`}`;
 }
 
+/// A number text divided by `per`: with the same digits if that is a power of ten.
+export function dividedText(text: string, per: number): string {
+  const power = Math.log10(per);
+  if (Number.isInteger(power)) return shiftedText(text, power);
+  const value = Number(text);
+  return text === '' || !Number.isFinite(value) ? text : String(Number((value / per).toPrecision(15)));
+}
+
 /// "2.3 MB".
 export function bytesText(bytes: number): string {
   const units = ['bytes', 'kB', 'MB', 'GB', 'TB'];
