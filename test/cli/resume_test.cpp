@@ -355,17 +355,24 @@ TEST(Memory, DoesNotGrowWithTheNumberOfRocks) {
   GTEST_SKIP() << "sanitizers keep additional memory";
 #endif
   const Workplace work;
-  const auto peak = [&](const char* rocks, const char* maps) {
-    Child child({"run", tutorial("2d"), "-q", "--rocks", rocks, "--set", "output.paths=none", "--set", maps,
-                 "--checkpoint-every", "0.2", "--threads", "2", "-o", (work / "out").string()},
+  const auto peak = [&](const char* rocks, const char* maps, const char* store) {
+    Child child({"run", tutorial("2d"), "-q", "--rocks", rocks, "--set", "output.paths=none", "--set", maps, "--set",
+                 store, "--checkpoint-every", "0.2", "--threads", "2", "-o", (work / "out").string()},
                 work / "said");
     EXPECT_EQ(child.wait(), 0) << work.read("said");
     return static_cast<double>(child.peak_memory());
   };
   constexpr double waiting_visits = 33.6e6;  // buffered for the maps at most [bytes]
-  for (const auto& [maps, more] : {std::pair{"output.maps=false", 0.0}, {"output.maps=true", waiting_visits}}) {
-    const double few = peak("100000", maps), many = peak("1000000", maps);
-    EXPECT_LT(many, 1.1 * few + 4e6 + more) << maps;
+  const auto none = "output.trajectories_MB=none", full = "output.trajectories_MB=16";  // after a part of `few` rocks
+  struct Case {
+    const char *maps, *store;
+    double more;
+  };
+  for (const auto& [maps, store, more] : {Case{"output.maps=false", none, 0.0},
+                                          {"output.maps=false", full, 0.0},
+                                          {"output.maps=true", none, waiting_visits}}) {
+    const double few = peak("100000", maps, store), many = peak("1000000", maps, store);
+    EXPECT_LT(many, 1.1 * few + 4e6 + more) << maps << ", " << store;
   }
 }
 

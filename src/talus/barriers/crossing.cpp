@@ -65,10 +65,11 @@ bool draws_away(double speed, double acceleration) {
 /// The first crossing of one rock's path.
 class Search {
  public:
-  Search(const Parabola& path, double radius, double start, double t_max, const RecentCrossings& recent)
+  Search(const Parabola& path, double radius, double start, double t_max, const RecentCrossings& recent,
+         double below)
       : path_(path),
         radius_(radius),
-        margin_(radius + tolerance::barrier_range),
+        margin_(radius + below),
         start_(start),
         t_max_(t_max),
         recent_(recent) {}
@@ -265,8 +266,8 @@ class Search {
 }  // namespace
 
 std::optional<Crossing> first_crossing(const BarrierList& barriers, const Parabola& path, double radius, double start,
-                                       double t_max, const RecentCrossings& recent) {
-  Search search(path, radius, start, t_max, recent);
+                                       double t_max, const RecentCrossings& recent, double below) {
+  Search search(path, radius, start, t_max, recent, below);
   const PlanBounds passed = search.bounds();
   for (const bool collectors : {false, true}) {
     barriers.visit(passed, [&](std::size_t number) {

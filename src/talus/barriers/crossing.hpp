@@ -103,8 +103,9 @@ class RecentCrossings {
 
 /// The first crossing up to t_max on a path that begins at time `start`, without recent ones. If a rock meets a barrier
 /// and a collector at the same time, the collector comes first, to record the arrival. Other ties are decided by the
-/// barriers' order.
+/// barriers' order. `below`: how far below the foot the path may run by rounding, and still crosses [m].
 [[nodiscard]] std::optional<Crossing> first_crossing(const BarrierList& barriers, const Parabola& path, double radius,
-                                                     double start, double t_max, const RecentCrossings& recent);
+                                                     double start, double t_max, const RecentCrossings& recent,
+                                                     double below = tolerance::barrier_range);
 
 }  // namespace talus

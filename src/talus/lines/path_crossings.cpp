@@ -4,6 +4,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "talus/store/ground_parts.hpp"
+
 namespace talus {
 
 namespace {
@@ -40,7 +42,9 @@ void PathCrossings::add(const PathPiece& piece) {
   recent_.forget_before(start);
   // What ended the piece may be beyond its end by rounding.
   const double t_max = piece.duration + tolerance::same_crossing;
-  while (const auto crossing = first_crossing(barriers_, piece.path, reach_, start, t_max, recent_)) {
+  // A stored path along the ground may be below it.
+  const double below = piece.on_ground ? StoreTolerance::position : tolerance::barrier_range;
+  while (const auto crossing = first_crossing(barriers_, piece.path, reach_, start, t_max, recent_, below)) {
     if (crossing->above) {
       pass_above(piece, *crossing);
       continue;

@@ -11,7 +11,8 @@ bool fits(const std::vector<Motion>& motions, std::size_t first, std::size_t las
   const Motion &from = motions[first], &to = motions[last];
   if (!(to.time > from.time)) return last == first + 1;
   const PathPiece part = ground_part(from, to);
-  constexpr double place = StoreTolerance::position * StoreTolerance::position;
+  constexpr double nearest = StoreTolerance::position - 2 * StoreStep::place;  // its ends are rounded
+  constexpr double place = nearest * nearest;
   constexpr double share = StoreTolerance::velocity * StoreTolerance::velocity;
   const double speed = share * std::max(from.velocity.squaredNorm(), to.velocity.squaredNorm());
   const double spin = share * std::max(from.spin.squaredNorm(), to.spin.squaredNorm());

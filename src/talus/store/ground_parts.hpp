@@ -18,6 +18,13 @@ struct StoreTolerance {
   static constexpr double velocity = 1e-4;  // of the largest velocity of the part; and as much of its largest spin
 };
 
+/// Times, places, velocities and spins of parts are whole multiples of these (powers of two).
+struct StoreStep {
+  static constexpr double time = 0x1p-20;      // [s]
+  static constexpr double place = 0x1p-20;     // [m]
+  static constexpr double velocity = 0x1p-16;  // [m/s]; of spins: of the surface of the sphere of the rock's volume
+};
+
 /// A part of constant acceleration between two motions: positions by the parabola that has the right ends and the
 /// change of velocity; velocity and spin linear in time.
 [[nodiscard]] PathPiece ground_part(const Motion& from, const Motion& to);

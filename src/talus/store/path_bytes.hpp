@@ -1,6 +1,7 @@
 #pragma once
 // What writer and reader of a path's bytes share: the tags and flags, and vectors as numbers. Private to store/.
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -9,6 +10,8 @@
 
 #include "talus/core/bytes.hpp"
 #include "talus/rocks/motion.hpp"
+#include "talus/store/ground_parts.hpp"
+#include "talus/store/varint.hpp"
 #include "talus/trajectory/rock_log.hpp"
 
 namespace talus {
@@ -47,6 +50,17 @@ enum PieceTag : std::uint8_t {
   part_has_end_spin = 0x20,
 };
 
+/// A vector as whole numbers of steps.
+using Steps = std::array<std::int64_t, 3>;
+
+[[nodiscard]] inline Steps steps_of(const Vec3& v, double step) {
+  return {std::llround(v.x() / step), std::llround(v.y() / step), std::llround(v.z() / step)};
+}
+[[nodiscard]] inline Vec3 vector_of(const Steps& steps, double step) {
+  return {static_cast<double>(steps[0]) * step, static_cast<double>(steps[1]) * step,
+          static_cast<double>(steps[2]) * step};
+}
+
 /// Bytes of short items: room is made once for each, so that putting a number is a move.
 class ByteBuffer {
  public:
@@ -59,6 +73,19 @@ class ByteBuffer {
   void put(Number x) {
     std::memcpy(bytes_.data() + size_, &x, sizeof x);
     size_ += sizeof x;
+  }
+  /// A whole number of any sign: 0, -1, 1, -2, 2 ... as 0, 1, 2, 3, 4 ...
+  void put_signed(std::int64_t value) {
+    put_varint((static_cast<std::uint64_t>(value) << 1U) ^ static_cast<std::uint64_t>(value >> 63));
+  }
+  void put_steps(const Steps& steps, bool is_planar) {
+    put_signed(steps[0]);
+    if (!is_planar) put_signed(steps[1]);
+    put_signed(steps[2]);
+  }
+  void put_spin_steps(const Steps& steps, bool is_planar) {
+    if (is_planar) return put_signed(steps[1]);
+    put_steps(steps, false);
   }
   void put_tag(int tag) { put(static_cast<std::uint8_t>(tag)); }
   void put_varint(std::uint64_t value) {
@@ -105,8 +132,34 @@ template <class Number>
   return get_vector<Number>(in, false);
 }
 
-/// A vector as a reader has it after it was written as floats.
-[[nodiscard]] inline Vec3 as_floats(const Vec3& v) { return v.cast<float>().cast<double>(); }
+[[nodiscard]] inline std::int64_t get_signed(ByteReader& in) {
+  const std::uint64_t value = get_varint(in);
+  return static_cast<std::int64_t>(value >> 1U) ^ -static_cast<std::int64_t>(value & 1U);
+}
+[[nodiscard]] inline Steps get_steps(ByteReader& in, bool is_planar) {
+  Steps steps{};
+  steps[0] = get_signed(in);
+  if (!is_planar) steps[1] = get_signed(in);
+  steps[2] = get_signed(in);
+  return steps;
+}
+[[nodiscard]] inline Steps get_spin_steps(ByteReader& in, bool is_planar) {
+  if (is_planar) return {0, get_signed(in), 0};
+  return get_steps(in, false);
+}
+
+/// The step of a rock's spin [rad/s].
+[[nodiscard]] inline double spin_step(double radius) { return StoreStep::velocity / (radius > 0 ? radius : 1); }
+
+/// The velocity at the end of a part, if its acceleration were constant on the way.
+[[nodiscard]] inline Vec3 expected_velocity(const Motion& start, const Vec3& way, double duration) {
+  return duration > 0 ? Vec3(2 / duration * way - start.velocity) : start.velocity;
+}
+/// The spin there, if the rock rolls on with the same axis.
+[[nodiscard]] inline Vec3 expected_spin(const Motion& start, const Vec3& end_velocity) {
+  const double speed = start.velocity.norm();
+  return speed > 0 ? Vec3(end_velocity.norm() / speed * start.spin) : start.spin;
+}
 
 /// The motion at the end of a flight, computed as the run does.
 [[nodiscard]] inline Motion end_of_flight(const PathPiece& flight) {

@@ -11,7 +11,7 @@ namespace talus {
 
 namespace {
 
-// Of motion along the ground: differences that are left out. Rounding to floats is as much.
+// Motions of the run that are the same but for rounding.
 constexpr double same_place = 1e-5;  // [m]
 constexpr double same_time = 1e-9;   // [s]
 constexpr double same_digits = 2e-7;
@@ -55,6 +55,7 @@ void PathEncoder::encode(const RockRecord& record, const RockLog& log, std::stri
   cells_.clear();
   items_.clear();
   is_planar_ = is_planar(record, log);
+  spin_step_ = spin_step(record.body.radius);
   const Vec2 start = record.outcome.start.position.head(2);
   grid_.add_box({start, start}, cells_);
   put_path(record, log);
@@ -218,47 +219,59 @@ void PathEncoder::put_ground() {
 }
 
 void PathEncoder::put_part(const Motion& from, const Motion& to) {
+  // What is less than a step away from the present motion is not said: a part leads from there.
   int tag = is_piece | piece_on_ground;
   Motion start = now_;
-  if (!are_near_places(from.position, now_.position)) {
+  Steps velocity_change{}, spin_change{};
+  if ((from.position - now_.position).norm() > StoreStep::place) {
     tag |= piece_has_place;
     start.position = from.position;
   }
-  if (std::abs(from.time - now_.time) > same_time) {
+  if (std::abs(from.time - now_.time) > StoreStep::time) {
     tag |= piece_has_time;
     start.time = from.time;
   }
-  if (!are_near(from.velocity, now_.velocity)) {
+  if ((from.velocity - now_.velocity).norm() > StoreStep::velocity) {
     tag |= piece_has_velocity;
-    start.velocity = as_floats(from.velocity);
+    velocity_change = steps_of(from.velocity - now_.velocity, StoreStep::velocity);
+    start.velocity = now_.velocity + vector_of(velocity_change, StoreStep::velocity);
   }
-  if (!are_near(from.spin, now_.spin)) {
+  if ((from.spin - now_.spin).norm() > spin_step_) {
     tag |= piece_has_spin;
-    start.spin = as_floats(from.spin);
+    spin_change = steps_of(from.spin - now_.spin, spin_step_);
+    start.spin = now_.spin + vector_of(spin_change, spin_step_);
   }
   Motion end = start;
-  const double duration = std::max(0.0, to.time - start.time);
-  const Vec3 way = as_floats(to.position - start.position);
-  if (duration == 0 && are_near(from, to)) {
+  const auto ticks = std::max<std::int64_t>(0, std::llround((to.time - start.time) / StoreStep::time));
+  const Steps way = steps_of(to.position - start.position, StoreStep::place);
+  Steps end_velocity{}, end_spin{};
+  if (ticks == 0 && are_near(from, to)) {
     tag |= part_is_moment;
   } else {
-    end = {start.position + way, as_floats(to.velocity), start.spin, start.time + duration};
-    if (!are_near(to.spin, start.spin)) {
+    const double duration = static_cast<double>(ticks) * StoreStep::time;
+    const Vec3 moved = vector_of(way, StoreStep::place);
+    const Vec3 velocity = expected_velocity(start, moved, duration);
+    end_velocity = steps_of(to.velocity - velocity, StoreStep::velocity);
+    end = {start.position + moved, velocity + vector_of(end_velocity, StoreStep::velocity), start.spin,
+           start.time + duration};
+    if ((to.spin - start.spin).norm() > spin_step_) {
       tag |= part_has_end_spin;
-      end.spin = as_floats(to.spin);
+      const Vec3 spin = expected_spin(start, end.velocity);
+      end_spin = steps_of(to.spin - spin, spin_step_);
+      end.spin = spin + vector_of(end_spin, spin_step_);
     }
   }
   items_.make_room();
   items_.put_tag(tag);
   if ((tag & piece_has_place) != 0) items_.put_vector<double>(start.position, is_planar_);
   if ((tag & piece_has_time) != 0) items_.put(start.time);
-  if ((tag & piece_has_velocity) != 0) items_.put_vector<float>(start.velocity, is_planar_);
-  if ((tag & piece_has_spin) != 0) items_.put_spin<float>(start.spin, is_planar_);
+  if ((tag & piece_has_velocity) != 0) items_.put_steps(velocity_change, is_planar_);
+  if ((tag & piece_has_spin) != 0) items_.put_spin_steps(spin_change, is_planar_);
   if ((tag & part_is_moment) == 0) {
-    items_.put(duration);
-    items_.put_vector<float>(way, is_planar_);
-    items_.put_vector<float>(end.velocity, is_planar_);
-    if ((tag & part_has_end_spin) != 0) items_.put_spin<float>(end.spin, is_planar_);
+    items_.put_varint(static_cast<std::uint64_t>(ticks));
+    items_.put_steps(way, is_planar_);
+    items_.put_steps(end_velocity, is_planar_);
+    if ((tag & part_has_end_spin) != 0) items_.put_spin_steps(end_spin, is_planar_);
   }
   now_ = end;
   grid_.add_piece(ground_part(start, end), cells_);
@@ -269,8 +282,13 @@ namespace {
 /// Reads the items of a path.
 class Decoder {
  public:
-  Decoder(ByteReader& in, const Vec3& gravity, bool planar, const Motion& start, StoredTrajectory& rock)
-      : in_(in), gravity_(gravity), planar_(planar), now_(start), rock_(rock) {}
+  Decoder(ByteReader& in, const Vec3& gravity, bool planar, StoredTrajectory& rock)
+      : in_(in),
+        gravity_(gravity),
+        planar_(planar),
+        now_(rock.record.outcome.start),
+        spin_step_(spin_step(rock.record.body.radius)),
+        rock_(rock) {}
 
   /// Returns the motion at the end of the last piece.
   Motion read() {
@@ -318,16 +336,14 @@ class Decoder {
     const bool on_ground = (tag & piece_on_ground) != 0;
     if ((tag & piece_has_place) != 0) now_.position = get_vector<double>(in_, planar_);
     if ((tag & piece_has_time) != 0) now_.time = get_number<double>(in_);
-    if ((tag & piece_has_velocity) != 0)
-      now_.velocity = on_ground ? get_vector<float>(in_, planar_) : get_vector<double>(in_, planar_);
-    if ((tag & piece_has_spin) != 0)
-      now_.spin = on_ground ? get_spin<float>(in_, planar_) : get_spin<double>(in_, planar_);
-  }
-
-  double read_duration() {
-    const double duration = get_number<double>(in_);
-    expect_bytes(duration >= 0, "a piece of a path has a negative duration");
-    return duration;
+    if ((tag & piece_has_velocity) != 0) {
+      now_.velocity = on_ground ? Vec3(now_.velocity + vector_of(get_steps(in_, planar_), StoreStep::velocity))
+                                : get_vector<double>(in_, planar_);
+    }
+    if ((tag & piece_has_spin) != 0) {
+      now_.spin = on_ground ? Vec3(now_.spin + vector_of(get_spin_steps(in_, planar_), spin_step_))
+                            : get_spin<double>(in_, planar_);
+    }
   }
 
   void read_flight(std::uint8_t tag) {
@@ -341,7 +357,8 @@ class Decoder {
       if (rate_ != 0) flight.drag.gravity = gravity_;
       flight.path.a = {0, 0, get_number<double>(in_)};
     }
-    flight.duration = read_duration();
+    flight.duration = get_number<double>(in_);
+    expect_bytes(flight.duration >= 0, "a flight has a negative duration");
     expect_bytes(flight.drag.rate >= 0 && flight.drag.rate * flight.duration < 1, "a flight has no valid drag");
     now_ = end_of_flight(flight);
   }
@@ -349,10 +366,14 @@ class Decoder {
   void read_part(std::uint8_t tag) {
     const Motion start = now_;
     if ((tag & part_is_moment) == 0) {
-      now_.time += read_duration();
-      now_.position += get_vector<float>(in_, planar_);
-      now_.velocity = get_vector<float>(in_, planar_);
-      if ((tag & part_has_end_spin) != 0) now_.spin = get_spin<float>(in_, planar_);
+      const double duration = static_cast<double>(get_varint(in_)) * StoreStep::time;
+      const Vec3 way = vector_of(get_steps(in_, planar_), StoreStep::place);
+      now_.time += duration;
+      now_.position += way;
+      now_.velocity =
+          expected_velocity(start, way, duration) + vector_of(get_steps(in_, planar_), StoreStep::velocity);
+      if ((tag & part_has_end_spin) != 0)
+        now_.spin = expected_spin(start, now_.velocity) + vector_of(get_spin_steps(in_, planar_), spin_step_);
     }
     rock_.pieces.push_back(ground_part(start, now_));
   }
@@ -361,6 +382,7 @@ class Decoder {
   Vec3 gravity_;
   bool planar_;
   Motion now_;
+  double spin_step_;
   double rate_ = 0;  // of drag
   StoredTrajectory& rock_;
   std::vector<int> where_;    // the motions of the rows are
@@ -416,7 +438,7 @@ void decode_path(std::string_view bytes, const Vec3& gravity, StoredTrajectory& 
   if (has(end_has_velocity)) end.velocity = get_vector<double>(in, planar);
   if (has(end_has_spin)) end.spin = get_spin<double>(in, planar);
 
-  Decoder decoder(in, gravity, planar, start, rock);
+  Decoder decoder(in, gravity, planar, rock);
   const Motion last = decoder.read();
   if (!has(end_has_place)) end.position = last.position;
   if (!has(end_has_time)) end.time = last.time;

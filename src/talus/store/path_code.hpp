@@ -3,7 +3,7 @@
 //
 // A flight follows from its departure and duration; where a piece begins is where the one before ends, unless it says
 // otherwise; rows of paths.csv are marks between pieces. Flights are kept with all their bits, motion along the ground
-// in parts of constant acceleration (ground_parts.hpp) with seven digits.
+// in parts of constant acceleration (ground_parts.hpp), in whole numbers of small steps.
 
 #include <cstdint>
 #include <string>
@@ -23,7 +23,7 @@ namespace talus {
 ///
 /// Within StoreTolerance (ground_parts.hpp): motion along the ground between two rows of paths.csv. A part is one piece
 /// with on_ground, never a glide: its path gives positions, and velocity and spin are linear between its ends, as in
-/// RockLog. Rows on the ground have seven digits. Facets are not kept.
+/// RockLog. Rows on the ground are within StoreStep. Facets are not kept.
 ///
 /// The pieces join end to end as those of RockLog do; a piece may have no duration.
 struct StoredTrajectory {
@@ -57,6 +57,7 @@ class PathEncoder {
   ByteBuffer facts_, items_;    // of the present rock
   bool is_planar_ = false;      // it moves in a plane y = 0, and spins about y
   Motion now_;                  // as a reader has it after these items
+  double spin_step_ = 0;        // [rad/s]
   double rate_ = 0;             // of the last flight with a path of its own
   std::vector<Motion> ground_;  // of legs not yet put
   std::vector<std::size_t> ends_;

@@ -8,42 +8,61 @@
 
 namespace talus {
 
-StoreFile::StoreFile(const StoreFacts& facts, std::uint64_t done) : facts_(facts), done_(done) {}
+namespace {
 
-void StoreFile::add(std::uint64_t rock, std::uint32_t rows, std::string_view cells, std::string_view path) {
-  rocks_.push_back(rock);
-  paths_.push_back(path);
-  cells_ += cells;
-  rows_ += rows;
-  largest_radius_ = std::max(largest_radius_, radius_in(path));
+/// What stands before the paths: facts, directory and index.
+void save_head(ByteWriter& out, const StoreFacts& facts, std::uint64_t done, std::span<const StoredRock> rocks) {
+  std::uint64_t rows = 0, cells = 0;
+  double largest_radius = 0;
+  for (const StoredRock& rock : rocks) {
+    rows += rock.rows;
+    cells += rock.cells_size;
+    largest_radius = std::max(largest_radius, radius_in(rock.path()));
+  }
+  out.text(TALUS_VERSION);
+  facts.save(out);
+  out.put(done);
+  out.put(rows);
+  out.put(largest_radius);
+  out.count(rocks.size());
+  for (const StoredRock& rock : rocks) out.put(rock.rock);
+  std::uint64_t end = 0;
+  for (const StoredRock& rock : rocks) out.put(end += rock.path_size);
+  for (const StoredRock& rock : rocks) out.put(static_cast<std::uint32_t>(checksum_of(rock.path()).low));
+  out.count(cells);
+  for (const StoredRock& rock : rocks) out.numbers(std::span(rock.cells()));
 }
 
-StoreExtent StoreFile::write(const std::filesystem::path& file) const {
-  ByteWriter head;
-  head.text(TALUS_VERSION);
-  facts_.save(head);
-  head.put(done_);
-  head.put(rows_);
-  head.put(largest_radius_);
-  head.list(rocks_);
-  std::uint64_t end = 0;
-  for (const std::string_view path : paths_) head.put(end += path.size());
-  for (const std::string_view path : paths_) head.put(static_cast<std::uint32_t>(checksum_of(path).low));
-  head.text(cells_);
-  const std::string& bytes = head.bytes();
+}  // namespace
+
+StoreExtent write_store(const std::filesystem::path& file, const StoreFacts& facts, std::uint64_t done,
+                        std::span<const StoredRock> rocks) {
+  // Size and checksum of the head come before it: it is made twice, piece by piece, since it may be large.
+  Checksum checksum;
+  std::uint64_t head_size = 0;
+  ByteWriter measured([&](std::string_view piece) {
+    checksum.add(piece);
+    head_size += piece.size();
+  });
+  save_head(measured, facts, done, rocks);
+  measured.flush();
 
   OutputFile out(file);
-  ByteWriter preamble;
-  for (const char c : store_magic) preamble.put(c);
-  preamble.put(store_format);
-  preamble.put(static_cast<std::uint32_t>(checksum_of(bytes).low));
-  preamble.put(static_cast<std::uint64_t>(bytes.size()));
-  out.write(preamble.bytes());
-  out.write(bytes);
-  for (const std::string_view path : paths_) out.write(path);
-  const std::uint64_t size = out.position();
+  ByteWriter head([&](std::string_view piece) { out.write(piece); });
+  for (const char c : store_magic) head.put(c);
+  head.put(store_format);
+  head.put(static_cast<std::uint32_t>(checksum.digest().low));
+  head.put(head_size);
+  save_head(head, facts, done, rocks);
+  head.flush();
+  StoreExtent extent{.rocks = rocks.size()};
+  for (const StoredRock& rock : rocks) {
+    out.write(rock.path());
+    extent.rows += rock.rows;
+  }
+  extent.bytes = out.position();
   out.commit();
-  return {rocks_.size(), rows_, size};
+  return extent;
 }
 
 }  // namespace talus

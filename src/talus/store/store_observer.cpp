@@ -3,16 +3,21 @@
 #include <algorithm>
 #include <utility>
 
+#include "talus/store/path_code.hpp"
 #include "talus/store/rock_choice.hpp"
-#include "talus/store/store_file.hpp"
-#include "talus/store/varint.hpp"
 
 namespace talus {
 
 namespace {
 
 /// Rocks are dropped once they exceed the budget by this share, so that it is not done for each block.
-constexpr double most_excess = 0.25;
+constexpr double most_excess = 0.125;
+
+/// In the file, with its entries in the directory and the index.
+std::uint64_t cost_of(const StoredRock& rock) {
+  constexpr std::uint64_t directory_entry = 20;
+  return rock.size() + directory_entry;
+}
 
 std::string bytes_of(const StoreFacts& facts) {
   ByteWriter out;
@@ -28,21 +33,25 @@ class StoreObserver::Part : public ObserverPart {
       : observer_(observer), encoder_(observer.facts_->gravity, observer.facts_->grid) {}
 
   void see(const RockRecord& record, const RockLog& log) override {
-    const std::uint64_t place = observer_.place_of(record.rock);
-    if (place >= observer_.limit_.load(std::memory_order_relaxed)) return;
-    const std::size_t paths = block.paths.size(), cells = block.cells.size();
-    encoder_.encode(record, log, block.paths);
-    put_runs(encoder_.cells(), block.cells);
-    block.rocks.push_back({record.rock, place, static_cast<std::uint32_t>(log.rows.size()),
-                           static_cast<std::uint32_t>(block.cells.size() - cells),
-                           static_cast<std::uint32_t>(block.paths.size() - paths)});
+    if (!observer_.is_wanted(record.rock)) return;
+    path_.clear();
+    encoder_.encode(record, log, path_);
+    const std::size_t before = bytes.size();
+    put_runs(encoder_.cells(), bytes);
+    rocks.push_back({.rock = record.rock,
+                     .rows = static_cast<std::uint32_t>(log.rows.size()),
+                     .cells_size = static_cast<std::uint32_t>(bytes.size() - before),
+                     .path_size = static_cast<std::uint32_t>(path_.size())});
+    bytes += path_;
   }
 
-  Block block;
+  std::vector<StoredRock> rocks;
+  std::string bytes;  // of the rocks, one after the other
 
  private:
   const StoreObserver& observer_;
   PathEncoder encoder_;
+  std::string path_;
 };
 
 StoreObserver::StoreObserver(std::uint64_t budget, const Model& model)
@@ -58,50 +67,38 @@ bool StoreObserver::is_wanted(std::uint64_t rock) const {
 std::unique_ptr<ObserverPart> StoreObserver::new_part() const { return std::make_unique<Part>(*this); }
 
 void StoreObserver::commit(ObserverPart& part) {
-  add(std::move(static_cast<Part&>(part).block));
+  auto& seen = static_cast<Part&>(part);
+  const char* next = seen.bytes.data();
+  for (StoredRock& rock : seen.rocks) {
+    rock.bytes = next;
+    next += rock.size();
+    add(rock);
+  }
   if (static_cast<double>(cost_) > (1 + most_excess) * static_cast<double>(budget_)) settle();
 }
 
-void StoreObserver::add(Block block) {
-  if (block.rocks.empty()) return;
-  for (const Kept& kept : block.rocks) cost_ += kept.cost();
-  block.cells.shrink_to_fit();
-  block.paths.shrink_to_fit();
-  blocks_.push_back(std::move(block));
-}
-
-template <class Visit>
-void StoreObserver::for_items(const Block& block, const Visit& visit) {
-  std::string_view cells = block.cells, paths = block.paths;
-  for (const Kept& kept : block.rocks) {
-    visit(Item{&kept, cells.substr(0, kept.cells_size), paths.substr(0, kept.path_size)});
-    cells.remove_prefix(kept.cells_size);
-    paths.remove_prefix(kept.path_size);
-  }
+void StoreObserver::add(const StoredRock& rock) {
+  rocks_.push_back(rock);
+  rocks_.back().bytes = bytes_.add(rock.bytes, rock.size());
+  cost_ += cost_of(rock);
 }
 
 void StoreObserver::drop_from(std::uint64_t place) {
   limit_ = std::min(limit_.load(), place);
   cost_ = 0;
-  for (Block& block : std::exchange(blocks_, {})) {
-    Block left;
-    for_items(block, [&](const Item& item) {
-      if (item.kept->place >= limit_) return;
-      left.rocks.push_back(*item.kept);
-      left.cells += item.cells;
-      left.paths += item.path;
-    });
-    add(std::move(left));
-    block = {};
+  bytes_.rewind();
+  std::erase_if(rocks_, [this](const StoredRock& rock) { return place_of(rock.rock) >= limit_; });
+  for (StoredRock& rock : rocks_) {
+    rock.bytes = bytes_.add(rock.bytes, rock.size());
+    cost_ += cost_of(rock);
   }
 }
 
 void StoreObserver::settle() {
   if (cost_ <= budget_) return;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> costs;  // by place
-  for (const Block& block : blocks_) {
-    for (const Kept& kept : block.rocks) costs.emplace_back(kept.place, kept.cost());
-  }
+  costs.reserve(rocks_.size());
+  for (const StoredRock& rock : rocks_) costs.emplace_back(place_of(rock.rock), cost_of(rock));
   std::ranges::sort(costs);
   std::uint64_t total = 0;
   for (const auto& [place, cost] : costs) {
@@ -110,27 +107,24 @@ void StoreObserver::settle() {
   }
 }
 
-std::vector<StoreObserver::Item> StoreObserver::in_order() const {
-  std::vector<Item> items;
-  for (const Block& block : blocks_) for_items(block, [&](const Item& item) { items.push_back(item); });
-  const auto rock_of = [](const Item& item) { return item.kept->rock; };
-  if (!std::ranges::is_sorted(items, {}, rock_of)) std::ranges::sort(items, {}, rock_of);
-  return items;
+std::vector<StoredRock> StoreObserver::in_order() const {
+  std::vector<StoredRock> rocks = rocks_;  // these stay as they are in memory
+  if (!std::ranges::is_sorted(rocks, {}, &StoredRock::rock)) std::ranges::sort(rocks, {}, &StoredRock::rock);
+  return rocks;
 }
 
 void StoreObserver::save(ByteWriter& out) {
   settle();
   out.text(facts_ ? bytes_of(*facts_) : "");
   out.put(limit_.load());
-  const std::vector<Item> items = in_order();
-  out.count(items.size());
-  for (const auto& [kept, cells, path] : items) {
-    out.put(kept->rock);
-    out.put(kept->rows);
-    out.put(kept->cells_size);
-    out.put(kept->path_size);
-    out.numbers(std::span(cells));
-    out.numbers(std::span(path));
+  const std::vector<StoredRock> rocks = in_order();
+  out.count(rocks.size());
+  for (const StoredRock& rock : rocks) {
+    out.put(rock.rock);
+    out.put(rock.rows);
+    out.put(rock.cells_size);
+    out.put(rock.path_size);
+    out.numbers(std::span(rock.bytes, rock.size()));
   }
 }
 
@@ -147,28 +141,21 @@ void StoreObserver::merge_saved(ByteReader& in) {
   constexpr std::size_t least_item = sizeof(std::uint64_t) + 3 * sizeof(std::uint32_t);
   std::size_t left = in.count(least_item);
   expect_bytes(left == 0 || facts_, "its trajectories are of an unknown run");
-  constexpr std::size_t most_bytes = std::size_t{1} << 20;
   std::uint64_t next = 0;  // rock
-  while (left > 0) {
-    Block block;
-    for (; left > 0 && block.paths.size() < most_bytes; --left) {
-      Kept kept;
-      kept.rock = in.get<std::uint64_t>();
-      expect_bytes(kept.rock >= next && kept.rock < facts_->planned, "its trajectories are not in order");
-      next = kept.rock + 1;
-      kept.place = place_of(kept.rock);
-      kept.rows = in.get<std::uint32_t>();
-      kept.cells_size = in.get<std::uint32_t>();
-      kept.path_size = in.get<std::uint32_t>();
-      const std::string_view cells = in.bytes(kept.cells_size);
-      ByteReader runs(cells);
-      read_runs(runs, facts_->grid.count(), [](std::uint32_t, std::uint32_t) {});
-      runs.expect_end();
-      block.cells += cells;
-      block.paths += in.bytes(kept.path_size);
-      block.rocks.push_back(kept);
-    }
-    add(std::move(block));
+  for (; left > 0; --left) {
+    StoredRock rock;
+    rock.rock = in.get<std::uint64_t>();
+    expect_bytes(rock.rock >= next && rock.rock < facts_->planned, "its trajectories are not in order");
+    next = rock.rock + 1;
+    rock.rows = in.get<std::uint32_t>();
+    rock.cells_size = in.get<std::uint32_t>();
+    rock.path_size = in.get<std::uint32_t>();
+    const std::string_view bytes = in.bytes(rock.size());
+    rock.bytes = bytes.data();
+    ByteReader runs(rock.cells());
+    read_runs(runs, facts_->grid.count(), [](std::uint32_t, std::uint32_t) {});
+    runs.expect_end();
+    add(rock);
   }
   if (std::min(limit, limit_.load()) != no_limit) drop_from(limit);
   settle();
@@ -176,10 +163,7 @@ void StoreObserver::merge_saved(ByteReader& in) {
 
 StoreExtent StoreObserver::write(const std::filesystem::path& file, std::uint64_t done) {
   settle();
-  StoreFile store(facts_.value_or(StoreFacts{}), done);
-  const std::vector<Item> items = in_order();
-  for (const auto& [kept, cells, path] : items) store.add(kept->rock, kept->rows, cells, path);
-  return store.write(file);
+  return write_store(file, facts_.value_or(StoreFacts{}), done, in_order());
 }
 
 }  // namespace talus

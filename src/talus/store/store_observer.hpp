@@ -7,21 +7,14 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "talus/results/record.hpp"
-#include "talus/store/path_code.hpp"
+#include "talus/store/byte_blocks.hpp"
 #include "talus/store/store_facts.hpp"
+#include "talus/store/store_file.hpp"
 
 namespace talus {
-
-/// How many rocks a store has, for people.
-struct StoreExtent {
-  std::uint64_t rocks = 0, rows = 0;  // rows of paths.csv
-  std::uint64_t bytes = 0;            // of the file
-};
 
 /// The rocks that are kept are the first in the order of place_in_choice() that fit into the budget together. That
 /// depends on the rocks alone, not on the order in which they come, or how they are divided among processes.
@@ -47,41 +40,19 @@ class StoreObserver : public SummingObserver {
  private:
   class Part;
 
-  /// A rock: the sizes of its cells (cell_set.hpp) and its path as bytes.
-  struct Kept {
-    std::uint64_t rock = 0, place = 0;  // place: in the order of the choice
-    std::uint32_t rows = 0, cells_size = 0, path_size = 0;
-
-    [[nodiscard]] std::uint64_t size() const { return std::uint64_t{cells_size} + path_size; }
-    /// In the file, with its entries in the directory and the index.
-    [[nodiscard]] std::uint64_t cost() const { return size() + directory_entry; }
-    static constexpr std::uint64_t directory_entry = 20;
-  };
-  struct Block {
-    std::vector<Kept> rocks;
-    std::string cells, paths;  // of the rocks, one after the other
-  };
-  /// A rock and its bytes.
-  struct Item {
-    const Kept* kept;
-    std::string_view cells, path;
-  };
-  /// Calls visit(item) for each rock.
-  template <class Visit>
-  static void for_items(const Block& block, const Visit& visit);
-
   [[nodiscard]] std::uint64_t place_of(std::uint64_t rock) const;
   [[nodiscard]] bool is_wanted(std::uint64_t rock) const;
-  void add(Block block);
+  void add(const StoredRock& rock);
   /// Removes rocks from this place on.
   void drop_from(std::uint64_t place);
   /// Brings the total within the budget.
   void settle();
-  [[nodiscard]] std::vector<Item> in_order() const;
+  [[nodiscard]] std::vector<StoredRock> in_order() const;
 
   std::uint64_t budget_;
   std::optional<StoreFacts> facts_;
-  std::vector<Block> blocks_;
+  std::vector<StoredRock> rocks_;  // in the order in which they came
+  ByteBlocks bytes_;               // theirs
   std::uint64_t cost_ = 0;
   // Rocks from this place on do not fit; other threads read it while they simulate.
   std::atomic<std::uint64_t> limit_ = no_limit;
