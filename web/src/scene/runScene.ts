@@ -1,7 +1,7 @@
 // Runs in the scene: trajectories, moving rocks, and the selected rock.
 
 import { effect, signal, type ReadonlySignal, type Signal } from '@preact/signals';
-import { Group, Vector3, type Object3D } from 'three';
+import { Group, Vector3 } from 'three';
 import { areEndsShown, arePathsShown } from '../maps/over';
 import { colouring } from '../paths/colouring';
 import { comparedPaths, indexOfRock, shownPaths, type DrawnPaths } from '../paths/drawnPaths';
@@ -11,7 +11,7 @@ import { chosenRock } from '../state/view';
 import { cssColour, runColour, shade } from '../view/theme';
 import { clear, line } from './marks';
 import type { ModelScene } from './modelScene';
-import { pathLines } from './pathLines';
+import { PathLines } from './pathLines';
 import { PathLook } from './pathShader';
 import { rockNear } from './pickPath';
 import { RockDots } from './rockDots';
@@ -21,7 +21,7 @@ class RunPaths {
   readonly group = new Group();
   readonly look: PathLook;
   readonly dots: RockDots;
-  readonly lines: Object3D;
+  readonly lines: PathLines;
 
   constructor(readonly paths: DrawnPaths, shift: ArrayLike<number>, width: number) {
     this.look = new PathLook(paths);
@@ -29,11 +29,17 @@ class RunPaths {
     const count = paths.rocks.length;
     this.look.uniforms.width.value = width;
     this.look.uniforms.opacity.value = count > 2000 ? 0.45 : count > 300 ? 0.7 : 0.95;
-    this.lines = pathLines(paths, this.look, shift);
-    this.group.add(this.lines, this.dots.object);
+    this.lines = new PathLines(paths, this.look, shift);
+    this.group.add(this.lines.object, this.dots.object);
+  }
+
+  pass(passes: Uint8Array | null) {
+    this.look.pass(passes);
+    this.lines.pass(passes);
   }
 
   dispose() {
+    this.lines.dispose();
     clear(this.group);
     this.look.dispose();
   }
@@ -48,6 +54,7 @@ export class RunScene {
   private readonly all = new Group();
   private readonly chosen = new Group();
   private readonly ends: (() => void)[];
+  private readonly eye = new Vector3();
 
   constructor(private readonly scene: ModelScene) {
     const { stage } = scene;
@@ -66,8 +73,8 @@ export class RunScene {
       }),
       effect(() => {
         const [ofShown, ofCompared] = [shownPassing.value, comparedPassing.value];
-        this.shown.value?.look.pass(ofShown);
-        this.compared.value?.look.pass(ofCompared);
+        this.shown.value?.pass(ofShown);
+        this.compared.value?.pass(ofCompared);
         stage.invalidate();
       }),
       effect(() => this.move(time.value, isWhole.value, arePathsShown.value, areEndsShown.value)),
@@ -107,7 +114,7 @@ export class RunScene {
   private move(now: number, whole: boolean, withPaths: boolean, withEnds: boolean) {
     for (const { value: run } of [this.shown, this.compared]) {
       if (!run) continue;
-      run.lines.visible = withPaths;
+      run.lines.object.visible = withPaths;
       run.look.uniforms.time.value = whole ? Infinity : now;
       run.look.uniforms.isWhole.value = whole;
       // When all rocks have stopped, they are drawn at their end points.
@@ -132,13 +139,27 @@ export class RunScene {
   }
 
   private measure() {
-    const { width, height } = this.scene.stage.size;
-    const ratio = this.scene.stage.renderer.getPixelRatio();
-    for (const run of [this.shown.peek(), this.compared.peek()])
-      if (run) {
-        run.look.uniforms.pixels.value = [width, height];
-        run.look.uniforms.ratio.value = ratio;
-      }
+    const { stage } = this.scene;
+    const { width, height } = stage.size;
+    const ratio = stage.renderer.getPixelRatio();
+    const { tolerance, segments } = stage.detail;
+    const perMetre = height / (2 * Math.tan((stage.camera.fov * Math.PI) / 360));
+    const stretch = stage.world.scale.z;
+    this.eye.copy(stage.camera.position);
+    this.eye.z /= stretch;
+    // An error is drawn as much larger as heights are exaggerated.
+    const allowed = tolerance / Math.max(1, stretch);
+    this.measureOf(this.shown.peek(), width, height, ratio, perMetre, allowed, segments);
+    this.measureOf(this.compared.peek(), width, height, ratio, perMetre, allowed, segments);
+  }
+
+  private measureOf(run: RunPaths | null, width: number, height: number, ratio: number, perMetre: number, tolerance: number, most: number) {
+    if (!run) return;
+    const { uniforms } = run.look;
+    uniforms.pixels.value[0] = width;
+    uniforms.pixels.value[1] = height;
+    uniforms.ratio.value = ratio;
+    if (run.lines.object.visible) run.lines.choose(this.scene.stage.isMoving, this.eye, perMetre, tolerance, most);
   }
 
   dispose() {

@@ -1,8 +1,12 @@
-// The stage: renderer, camera and controls. A frame is drawn only when something changes.
+// The stage: renderer, camera and controls. A frame is drawn only when something changes. If frames take long, they have
+// less detail until nothing changes for a moment.
 
 import { Group, MOUSE, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer, type Ray } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import type { Pixel } from '../view/nearness';
+import { atRest, Pace, type Detail } from '../view/pace';
+
+const rest = 160; // ms without a change
 
 export class Stage {
   readonly scene = new Scene();
@@ -22,12 +26,18 @@ export class Stage {
   onLost: (lost: boolean) => void = () => {};
   onResize: () => void = () => {};
   private frame = 0;
+  private readonly pace = new Pace();
+  /// What the frame that is being drawn has, and whether the view moves.
+  detail: Detail = atRest;
+  isMoving = false;
+  private resting: ReturnType<typeof setTimeout> | undefined;
+  private timing: ReturnType<typeof setTimeout> | undefined;
   private readonly watcher: ResizeObserver;
 
   /// Throws if the browser has no WebGL 2.
   constructor(readonly host: HTMLElement) {
     this.renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: 'high-performance' });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.fullRatio);
     const { domElement: canvas } = this.renderer;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'application');
@@ -70,6 +80,10 @@ export class Stage {
 
   private get hostSize(): { width: number; height: number } {
     return { width: Math.max(1, this.host.clientWidth), height: Math.max(1, this.host.clientHeight) };
+  }
+
+  private get fullRatio(): number {
+    return Math.min(devicePixelRatio, 2);
   }
 
   private resize() {
@@ -117,42 +131,84 @@ export class Stage {
   /// Renders at the current size with `ratio` pixels per CSS pixel, and returns a copy.
   copy(ratio: number): HTMLCanvasElement {
     const { width, height } = this.size;
-    const before = this.renderer.getPixelRatio();
     const made = document.createElement('canvas');
     try {
       this.renderer.setPixelRatio(ratio);
       this.renderer.setSize(width, height, false);
-      this.draw();
+      this.render(null);
       Object.assign(made, { width: Math.round(width * ratio), height: Math.round(height * ratio) });
       made.getContext('2d', { willReadFrequently: true })!.drawImage(this.renderer.domElement, 0, 0, made.width, made.height);
     } finally {
-      this.renderer.setPixelRatio(before);
+      this.renderer.setPixelRatio(this.fullRatio);
       this.renderer.setSize(this.hostSize.width, this.hostSize.height);
     }
     return made;
   }
 
   invalidate() {
-    this.frame ||= requestAnimationFrame(() => {
-      this.frame = 0;
-      this.draw();
-    });
+    this.frame ||= requestAnimationFrame(this.next);
   }
 
-  /// Draws a frame at once. The pixels can only be read in the same task.
+  private readonly next = () => {
+    this.frame = 0;
+    this.frameOf(this.pace.moving);
+  };
+
+  /// Draws a frame with all detail at once. The pixels can only be read in the same task.
   draw() {
-    const moving = this.controls.update();
+    this.frameOf(null);
+  }
+
+  /// `moving`: the detail of a moving view.
+  private frameOf(moving: Detail | null) {
+    clearTimeout(this.resting);
+    const ratio = this.fullRatio * (moving ?? atRest).pixels;
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
+    this.render(moving);
+    this.time(moving !== null);
+    if (moving) this.resting = setTimeout(this.settle, rest);
+    // For tests, and for those who wonder.
+    this.renderer.domElement.dataset.detail = moving ? 'less' : 'all';
+  }
+
+  private readonly settle = () => {
+    if (this.frame === 0) this.draw();
+  };
+
+  private render(moving: Detail | null) {
+    this.detail = moving ?? atRest;
+    this.isMoving = moving !== null;
+    let needsMore = this.controls.update();
     this.clip();
     this.camera.updateMatrixWorld();
-    let needsMore = moving;
     for (const task of this.beforeFrame) needsMore = task() === true || needsMore;
     this.renderer.render(this.scene, this.camera);
     for (const task of this.afterFrame) task();
     if (needsMore) this.invalidate();
   }
 
+  /// Measures how long the graphics take for the frame.
+  private time(isMoving: boolean) {
+    if (this.timing !== undefined) return; // an earlier frame is not finished
+    const gl = this.renderer.getContext() as WebGL2RenderingContext;
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!fence) return;
+    const begun = performance.now();
+    const look = () => {
+      this.timing = undefined;
+      if (gl.isContextLost()) return;
+      if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) return void (this.timing = setTimeout(look, 4));
+      gl.deleteSync(fence);
+      const took = performance.now() - begun;
+      if (isMoving) this.pace.movingTook(took);
+      else this.pace.restTook(took);
+    };
+    this.timing = setTimeout(look, 0);
+  }
+
+  private readonly centre = new Vector3();
   private clip() {
-    const centre = this.extent.center.clone();
+    const centre = this.centre.copy(this.extent.center);
     const stretch = this.world.scale.z;
     centre.z *= stretch;
     const radius = this.extent.radius * Math.max(1, stretch);
@@ -194,6 +250,8 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.frame);
     this.frame = -1;
+    clearTimeout(this.resting);
+    clearTimeout(this.timing);
     this.watcher.disconnect();
     this.controls.dispose();
     this.renderer.dispose();
