@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { cut, cutCells } from './cellCut';
+import { cut, cutCells, thinCells } from './cellCut';
 
 // Rows from the south, as tiles have them.
 const of = (...rows: number[][]) => Float32Array.from(rows.flat());
@@ -37,4 +37,23 @@ test('triangles are anticlockwise from above and fill the cell', () => {
     expect((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).toBe(1);
   }
   expect(index.length).toBe(4 * 6);
+});
+
+test('a thinned tile covers all of its nodes with data, and its skirt', () => {
+  const [across, along] = [11, 8]; // 9 by 6 nodes inside
+  const heights = new Float32Array(across * along);
+  const area = (index: Uint32Array) => {
+    let sum = 0;
+    for (let k = 0; k < index.length; k += 3) {
+      const [a, b, c] = [0, 1, 2].map((i) => [index[k + i]! % across, Math.floor(index[k + i]! / across)] as const) as [[number, number], [number, number], [number, number]];
+      sum += ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+    }
+    return sum;
+  };
+  const whole = thinCells(heights, across, along, 4);
+  expect(area(whole)).toBe((across - 1) * (along - 1));
+  expect(whole.length / 3).toBeLessThan(2 * 6 * 5);
+  // A hole takes the cells that touch it.
+  heights[1 + 4 + across] = NaN;
+  expect(area(thinCells(heights, across, along, 4))).toBe((across - 1) * (along - 1) - 8 * 5);
 });

@@ -44,3 +44,24 @@ export function cutCells(
     }
   return index.subarray(0, k);
 }
+
+/// Some nodes of a side of a tile with a skirt: those of the skirt, every `step`th between them, and both ends.
+function someNodes(count: number, step: number): number[] {
+  const nodes = [0];
+  for (let k = 1; k < count - 2; k += step) nodes.push(k);
+  return [...nodes, count - 2, count - 1];
+}
+
+/// The triangles between every `step`th node along both sides; where a corner has no data, none.
+export function thinCells(heights: Float32Array, across: number, along: number, step: number): Uint32Array {
+  const [columns, rows] = [someNodes(across, step), someNodes(along, step)];
+  const index: number[] = [];
+  for (let r = 0; r + 1 < rows.length; ++r)
+    for (let c = 0; c + 1 < columns.length; ++c) {
+      const [south, north] = [rows[r]! * across, rows[r + 1]! * across];
+      const [a, b, d, e] = [south + columns[c]!, south + columns[c + 1]!, north + columns[c]!, north + columns[c + 1]!];
+      if (Number.isNaN(heights[a]! + heights[b]! + heights[d]! + heights[e]!)) continue;
+      index.push(a, b, e, a, e, d);
+    }
+  return Uint32Array.from(index);
+}

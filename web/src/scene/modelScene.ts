@@ -25,8 +25,12 @@ import * as picture from './picture';
 import { Stage } from './stage';
 import { TerrainMaterial } from './terrainMaterial';
 import type { Terrain } from './terrain';
-import { TiledTerrain } from './tiledTerrain';
+import { MeshTile } from './meshTile';
+import { Tile, type TileHeader } from './tile';
+import { TiledTerrain, type MakeTile } from './tiledTerrain';
 import { overlays, tool } from './tool';
+
+const mostTriangles = 60_000; // of a mesh that is drawn as a whole; a larger one is drawn in tiles
 
 /// Identifies the terrain; other changes of the project do not reload it.
 const terrainKey = ({ files, bounds, facets, kind, materials, project }: Model) =>
@@ -110,10 +114,13 @@ export class ModelScene {
     const material = new TerrainMaterial(next.kind === 'raster');
     picture.isLoading.value = true;
     try {
+      const ofTiles = (make: MakeTile) => TiledTerrain.of(next.id, frame, [min[2], max[2]], make, asking.signal, () => this.stage.invalidate());
       const terrain =
         next.kind === 'raster'
-          ? await TiledTerrain.of(next.id, frame, [min[2], max[2]], material, asking.signal, () => this.stage.invalidate())
-          : await MeshTerrain.of(next.id, frame, material, asking.signal);
+          ? await ofTiles((answer, base) => new Tile(answer, base, (answer.header as TileHeader).cell, material))
+          : next.facets > mostTriangles
+            ? await ofTiles((answer, base) => new MeshTile(answer, base, material))
+            : await MeshTerrain.of(next.id, frame, material, asking.signal);
       if (asking.signal.aborted) return terrain.dispose();
       this.takeTerrain(next, frame, terrain, material);
     } catch (error) {
@@ -233,7 +240,7 @@ export class ModelScene {
   /// Before each frame.
   private prepare() {
     const { stage, material } = this;
-    this.terrain?.select(stage.camera, stage.size.height * stage.renderer.getPixelRatio(), stage.world.scale.z);
+    this.terrain?.select(stage.camera, (stage.size.height * stage.renderer.getPixelRatio()) / stage.detail.pixels, stage.world.scale.z, stage.isMoving);
     const metresPerPixel = stage.metresPerPixel;
     const interval = contours.peek() ? roundStep(Math.max(14 * metresPerPixel, (this.box.max.z - this.box.min.z) / 60)) : 0;
     if (material) {
@@ -317,7 +324,7 @@ export class ModelScene {
   missing(pixels: number): number {
     const { stage } = this;
     stage.camera.updateMatrixWorld();
-    this.terrain?.select(stage.camera, pixels, stage.world.scale.z);
+    this.terrain?.select(stage.camera, pixels, stage.world.scale.z, false);
     return this.terrain?.missing ?? 0;
   }
 

@@ -7,6 +7,7 @@ import type { Pixel } from '../view/nearness';
 import { atRest, Pace, type Detail } from '../view/pace';
 
 const rest = 160; // ms without a change
+const restHeld = 600; // the same while a button is pressed, as in a drag
 
 export class Stage {
   readonly scene = new Scene();
@@ -30,6 +31,8 @@ export class Stage {
   /// What the frame that is being drawn has, and whether the view moves.
   detail: Detail = atRest;
   isMoving = false;
+  private isHeld = false;
+  private readonly listening = new AbortController();
   private resting: ReturnType<typeof setTimeout> | undefined;
   private timing: ReturnType<typeof setTimeout> | undefined;
   private readonly watcher: ResizeObserver;
@@ -66,6 +69,9 @@ export class Stage {
       this.onLost(false);
       this.invalidate();
     });
+    const { signal } = this.listening;
+    host.addEventListener('pointerdown', () => (this.isHeld = true), { capture: true, signal });
+    for (const end of ['pointerup', 'pointercancel']) addEventListener(end, () => (this.isHeld = false), { capture: true, signal });
     this.watcher = new ResizeObserver(() => this.resize());
     this.watcher.observe(host);
     this.resize();
@@ -166,7 +172,7 @@ export class Stage {
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
     this.render(moving);
     this.time(moving !== null);
-    if (moving) this.resting = setTimeout(this.settle, rest);
+    if (moving) this.resting = setTimeout(this.settle, this.isHeld ? restHeld : rest);
     // For tests, and for those who wonder.
     this.renderer.domElement.dataset.detail = moving ? 'less' : 'all';
   }
@@ -252,6 +258,7 @@ export class Stage {
     this.frame = -1;
     clearTimeout(this.resting);
     clearTimeout(this.timing);
+    this.listening.abort();
     this.watcher.disconnect();
     this.controls.dispose();
     this.renderer.dispose();

@@ -1,6 +1,6 @@
 // The interface of terrains in the scene.
 
-import type { Camera, Object3D, Ray, Vector3 } from 'three';
+import type { Box3, Camera, Mesh, Object3D, Ray, Vector3 } from 'three';
 
 export interface Hit {
   /// In the scene's coordinates, without vertical exaggeration.
@@ -14,8 +14,9 @@ export interface Hit {
 
 export interface Terrain {
   object: Object3D;
-  /// Selects the parts and resolution to draw; `pixels` is the height of the picture.
-  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number): void;
+  /// Selects the parts and resolution to draw; `pixels` is the height of the picture. With fewer triangles while the view
+  /// moves.
+  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number, isMoving: boolean): void;
   /// The number of selected parts that are not loaded yet.
   readonly missing?: number;
   /// The first intersection with a ray, in the scene's coordinates without exaggeration.
@@ -24,5 +25,28 @@ export interface Terrain {
   samplePoints(): Vector3[];
   /// Loads further parts from this model, which has the same terrain.
   useModel?(model: string): void;
+  dispose(): void;
+}
+
+export interface PickedTile {
+  distance: number;
+  /// The triangle of a mesh; unknown in a coarse tile.
+  facet?: number;
+}
+
+/// A part of a terrain at one level of detail.
+export interface TerrainTile {
+  mesh: Mesh;
+  /// In the scene's coordinates, without vertical exaggeration.
+  box: Box3;
+  /// About how much memory it takes.
+  bytes: number;
+  /// The turn in which it was last visible.
+  used: number;
+  pick(ray: Ray): PickedTile | null;
+  /// Draws the tile with fewer triangles; without it, coarser tiles are chosen.
+  thin?(isThin: boolean): void;
+  /// At most about `most` squared points spread over it.
+  samplePoints(most: number): Vector3[];
   dispose(): void;
 }

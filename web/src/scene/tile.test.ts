@@ -36,7 +36,7 @@ test('a picked point has the height of the engine, and a hole has none', () => {
       const expected = engineHeight(x, y);
       const found = tile.pick(new Ray(new Vector3(x, y, 100), new Vector3(0, 0, -1)));
       if (expected === null) expect(found).toBeNull();
-      else expect(100 - found!).toBeCloseTo(expected, 9);
+      else expect(100 - found!.distance).toBeCloseTo(expected, 9);
       cuts.add(expected === null);
     }
   expect(cuts.size).toBe(2);

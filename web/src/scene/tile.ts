@@ -14,9 +14,10 @@ import {
 } from 'three';
 import type { Arrays, NumberArray } from '../api/arrays';
 import type { Point3 } from '../api/types';
-import { cut, cutCells, trianglesOf } from './cellCut';
+import { cut, cutCells, thinCells, trianglesOf } from './cellCut';
 import type { Frame } from './frame';
 import { meet, walk, type PlanGrid } from './gridWalk';
+import type { PickedTile, TerrainTile } from './terrain';
 import type { TerrainMaterial } from './terrainMaterial';
 
 export interface TileHeader {
@@ -25,6 +26,8 @@ export interface TileHeader {
   columns: number;
   rows: number;
 }
+
+const thinStep = 4; // nodes; sides of tiles have a multiple of it, except at the border of the raster
 
 const sharedNodes = new Map<string, BufferAttribute>();
 
@@ -58,11 +61,14 @@ function kindsOf(columns: number, rows: number, materials: NumberArray | undefin
 const meetCorners = (ray: Ray, corners: Float64Array, [a, b, c]: readonly [number, number, number]) =>
   meet(ray, corners, 3 * a, 3 * b, 3 * c);
 
-export class Tile {
+export class Tile implements TerrainTile {
   readonly mesh: Mesh;
   readonly box: Box3;
   readonly bytes: number;
   used = 0;
+  private readonly whole: BufferAttribute;
+  private thinned: BufferAttribute | undefined;
+  private readonly makeThin: () => BufferAttribute;
   private readonly heights: Float32Array;
   /// Per cell, 1 if it is cut from south-west to north-east.
   private readonly diagonals: NumberArray;
@@ -135,7 +141,9 @@ export class Tile {
     geometry.setAttribute('node', nodesOf(columns, rows));
     geometry.setAttribute('height', new BufferAttribute(height, 1));
     geometry.setAttribute('gradient', new BufferAttribute(gradient, 2));
-    geometry.setIndex(new BufferAttribute(cutCells(height, across, along, (i, j) => this.isNorthEast(i - 1, j - 1)), 1));
+    this.whole = new BufferAttribute(cutCells(height, across, along, (i, j) => this.isNorthEast(i - 1, j - 1)), 1);
+    geometry.setIndex(this.whole);
+    this.makeThin = () => new BufferAttribute(thinCells(height, across, along, thinStep), 1);
     if (!(low <= high)) [low, high] = [0, 0];
     this.box = new Box3(
       new Vector3(x, y, z + low),
@@ -154,16 +162,20 @@ export class Tile {
     this.bytes = 16 * height.length + 4 * geometry.index!.count + 2 * (columns - 1) * (rows - 1);
   }
 
+  thin(isThin: boolean) {
+    this.mesh.geometry.setIndex(isThin ? (this.thinned ??= this.makeThin()) : this.whole);
+  }
+
   /// Of a cell; of one in the skirt, any.
   private isNorthEast(column: number, row: number): boolean {
     return this.diagonals[row * this.grid.columns + column] === 1;
   }
 
-  pick(ray: Ray): number | null {
+  pick(ray: Ray): PickedTile | null {
     if (!ray.intersectsBox(this.box.clone().expandByScalar(1e-3))) return null;
     const { x, y, dx, dy, columns } = this.grid;
     const corners = new Float64Array(12);
-    return walk(ray, this.grid, (i, j) => {
+    const distance = walk(ray, this.grid, (i, j) => {
       const way = cut(this.heights, columns + 1, i, j, this.isNorthEast(i, j));
       if (way === 'hole') return null;
       for (let k = 0; k < 4; ++k) {
@@ -176,6 +188,7 @@ export class Tile {
       const [a, b] = [meetCorners(ray, corners, first), meetCorners(ray, corners, second)];
       return a === null || b === null ? (a ?? b) : Math.min(a, b);
     });
+    return distance === null ? null : { distance };
   }
 
   /// Nodes with data, at most about `most` along each side.

@@ -1,13 +1,12 @@
-// A raster terrain of tiles, coarse far away and fine nearby, loaded on demand.
+// A raster or a large mesh in tiles, coarse far away and fine nearby, loaded on demand.
 
 import { Box3, Frustum, Group, Matrix4, Vector3, type Camera, type Ray } from 'three';
+import type { Arrays } from '../api/arrays';
 import { getArrays, getJson } from '../api/client';
 import type { Tiles } from '../api/types';
 import { reportFailure } from '../state/messages';
 import type { Frame } from './frame';
-import type { Hit, Terrain } from './terrain';
-import type { TerrainMaterial } from './terrainMaterial';
-import { Tile, type TileHeader } from './tile';
+import type { Hit, PickedTile, Terrain, TerrainTile } from './terrain';
 
 const pixelsPerCell = 2.2; // finer tiles are used where a cell is larger
 const requestsAtOnce = 6;
@@ -18,11 +17,14 @@ interface Node {
   column: number;
   row: number;
   box: Box3;
-  tile?: Tile;
+  tile?: TerrainTile;
   children?: Node[];
   priority: number;
   asked: boolean;
 }
+
+/// Makes a tile of the server's answer.
+export type MakeTile = (answer: Arrays<never>, frame: Frame) => TerrainTile;
 
 export class TiledTerrain implements Terrain {
   readonly object = new Group();
@@ -40,7 +42,7 @@ export class TiledTerrain implements Terrain {
     private readonly tiles: Tiles,
     private readonly frame: Frame,
     private readonly zRange: [number, number],
-    private readonly material: TerrainMaterial,
+    private readonly make: MakeTile,
     private readonly signal: AbortSignal,
     private readonly changed: () => void,
   ) {
@@ -55,12 +57,12 @@ export class TiledTerrain implements Terrain {
     model: string,
     frame: Frame,
     z: [number, number],
-    material: TerrainMaterial,
+    make: MakeTile,
     signal: AbortSignal,
     changed: () => void,
   ): Promise<TiledTerrain> {
     const tiles = await getJson<Tiles>(`/api/models/${model}/tiles`, signal);
-    const terrain = new TiledTerrain(model, tiles, frame, z, material, signal, changed);
+    const terrain = new TiledTerrain(model, tiles, frame, z, make, signal, changed);
     await Promise.all(terrain.roots.map((root) => terrain.load(root)));
     return terrain;
   }
@@ -92,14 +94,14 @@ export class TiledTerrain implements Terrain {
       for (let r = node.row * share; r < Math.min(finer.rows, (node.row + 1) * share); ++r)
         for (let c = node.column * share; c < Math.min(finer.columns, (node.column + 1) * share); ++c) {
           const child = this.node(node.level + 1, c, r);
-          if (node.tile) [child.box.min.z, child.box.max.z] = [node.tile.box.min.z - 1, node.tile.box.max.z + 1];
+          if (node.tile && !node.tile.box.isEmpty()) [child.box.min.z, child.box.max.z] = [node.tile.box.min.z - 1, node.tile.box.max.z + 1];
           list.push(child);
         }
     }
     return (node.children = list);
   }
 
-  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number) {
+  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number, isMoving: boolean) {
     ++this.turn;
     const view = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     view.multiply(new Matrix4().makeScale(1, 1, exaggeration));
@@ -108,6 +110,7 @@ export class TiledTerrain implements Terrain {
     eye.z /= exaggeration;
     const focal = pixels / (2 * Math.tan((camera.fov * Math.PI) / 360));
     this.wanted = [];
+    const most = isMoving && !this.roots[0]!.tile?.thin ? 3 * pixelsPerCell : pixelsPerCell;
     const now: Node[] = [];
     const visit = (node: Node) => {
       if (!frustum.intersectsBox(node.box)) return;
@@ -116,7 +119,7 @@ export class TiledTerrain implements Terrain {
       gap.z *= exaggeration;
       const size = (cell * focal) / Math.max(gap.length(), 0.1);
       if (node.tile) node.tile.used = this.turn;
-      if (size > pixelsPerCell && node.level + 1 < this.levels.length) {
+      if (size > most && node.level + 1 < this.levels.length) {
         const children = this.childrenOf(node).filter((child) => frustum.intersectsBox(child.box));
         for (const child of children)
           if (!child.tile) {
@@ -129,7 +132,10 @@ export class TiledTerrain implements Terrain {
     };
     this.roots.forEach(visit);
     for (const node of this.drawn) if (!now.includes(node) && node.tile) node.tile.mesh.visible = false;
-    for (const node of now) node.tile!.mesh.visible = true;
+    for (const { tile } of now) {
+      tile!.mesh.visible = true;
+      tile!.thin?.(isMoving);
+    }
     this.drawn = now;
     this.wanted.sort((a, b) => b.priority - a.priority);
     this.loadNext();
@@ -158,12 +164,9 @@ export class TiledTerrain implements Terrain {
     ++this.loading;
     const { number } = this.levels[node.level]!;
     try {
-      const answer = await getArrays<TileHeader>(
-        `/api/models/${this.model}/tiles/${number}/${node.column}/${node.row}`,
-        this.signal,
-      );
-      node.tile = new Tile(answer, this.frame, answer.header.cell, this.material);
-      node.box = node.tile.box;
+      const answer = await getArrays<never>(`/api/models/${this.model}/tiles/${number}/${node.column}/${node.row}`, this.signal);
+      node.tile = this.make(answer, this.frame);
+      if (!node.tile.box.isEmpty()) node.box = node.tile.box;
       node.tile.mesh.visible = false;
       node.tile.used = this.turn;
       this.object.add(node.tile.mesh);
@@ -191,12 +194,12 @@ export class TiledTerrain implements Terrain {
   }
 
   pick(ray: Ray): Hit | null {
-    let [distance, isCoarse] = [Infinity, false];
+    let [picked, isCoarse]: [PickedTile, boolean] = [{ distance: Infinity }, false];
     for (const { tile, level } of this.drawn) {
-      const found = tile?.pick(ray) ?? Infinity;
-      if (found < distance) [distance, isCoarse] = [found, this.levels[level]!.stride > 1];
+      const found = tile?.pick(ray);
+      if (found && found.distance < picked.distance) [picked, isCoarse] = [found, this.levels[level]!.stride > 1];
     }
-    return distance < Infinity ? { point: ray.at(distance, new Vector3()), distance, isCoarse } : null;
+    return picked.distance < Infinity ? { point: ray.at(picked.distance, new Vector3()), ...picked, isCoarse } : null;
   }
 
   samplePoints(): Vector3[] {

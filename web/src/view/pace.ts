@@ -4,19 +4,17 @@
 export interface Detail {
   /// Drawing buffer pixels along a side, as a share of those at rest.
   pixels: number;
-  /// Of the terrain: the size of its cells is as in a picture that is smaller by this factor.
-  terrain: number;
   /// Of trajectories: the most segments, and how far they may be off [pixels].
   segments: number;
   tolerance: number;
 }
 
-export const atRest: Detail = { pixels: 1, terrain: 1, segments: 400_000, tolerance: 0.4 };
+export const atRest: Detail = { pixels: 1, segments: 400_000, tolerance: 0.4 };
 const moving: readonly Detail[] = [
-  { pixels: 1, terrain: 1, segments: 60_000, tolerance: 0.8 },
-  { pixels: 0.75, terrain: 0.7, segments: 25_000, tolerance: 1.5 },
-  { pixels: 0.6, terrain: 0.5, segments: 12_000, tolerance: 2 },
-  { pixels: 0.5, terrain: 0.4, segments: 6_000, tolerance: 2.5 },
+  { pixels: 1, segments: 60_000, tolerance: 0.8 },
+  { pixels: 0.75, segments: 25_000, tolerance: 1.5 },
+  { pixels: 0.6, segments: 12_000, tolerance: 2 },
+  { pixels: 0.5, segments: 6_000, tolerance: 2.5 },
 ];
 
 const [slow, rather, quick] = [90, 70, 35]; // ms of a frame: a tenth of a second is wanted
