@@ -1,6 +1,5 @@
-// The time of an answer about a line after a run, as while a line is dragged: at places between the mean release and the
-// mean end of the rocks, across their way.
-// Usage: bench_lines PROJECT [rocks] [places]
+// The time of an answer about a line after a run, as while a line is dragged: at places between the mean release and
+// the mean end of the rocks, across their way. Usage: bench_lines PROJECT [rocks] [places]
 
 #include <algorithm>
 #include <cstdlib>
@@ -53,8 +52,8 @@ int main(int argc, char** argv) {
   const StoreExtent extent = store.write(file, model.rocks());
 
   std::unique_ptr<const AskedRun> asked;
-  const double opening = bench::seconds(
-      [&] { asked = std::make_unique<const AskedRun>(model, std::make_unique<StoredPaths>(file)); });
+  const double opening =
+      bench::seconds([&] { asked = std::make_unique<const AskedRun>(model, std::make_unique<StoredPaths>(file)); });
   const auto [from, to] = means_of(model, asked->paths());
   const Vec2 way = to - from, across = Vec2(-way.y(), way.x()) * 0.75;
   std::vector<double> times;
@@ -66,14 +65,14 @@ int main(int argc, char** argv) {
     RunAnswer answer;
     std::string text;
     times.push_back(1000 * bench::seconds([&] {
-      Problems cut;
-      const AskedLine drawn = drawn_line(model, line, asked_height, "line", cut);
-      project::DesignBasis basis = project::design_basis(reading.project);
-      add_kits_for_sliders(basis);
-      basis.design.section_m = usual_section(drawn.barrier);
-      answer = asked->line(basis, drawn, {});
-      text = answer.json.dump();
-    }));
+                      Problems cut;
+                      const AskedLine drawn = drawn_line(model, line, asked_height, "line", cut);
+                      project::DesignBasis basis = project::design_basis(reading.project);
+                      add_kits_for_sliders(basis);
+                      basis.design.section_m = usual_section(drawn.barrier);
+                      answer = asked->line(basis, drawn, {});
+                      text = answer.json.dump();
+                    }));
     crossings += answer.rocks.size();
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
   }
@@ -82,7 +81,8 @@ int main(int argc, char** argv) {
              static_cast<double>(extent.bytes) / 1e6, 1000 * opening);
   const double first = times.front();
   std::ranges::sort(times);
-  fmt::print("  {} lines of {:.0f} m, {} crossings: first answer {:.1f} ms, median {:.1f} ms, slowest {:.1f} ms, hash "
-             "{:016x}\n",
-             places, 2 * across.norm(), crossings, first, times[times.size() / 2], times.back(), hash);
+  fmt::print(
+      "  {} lines of {:.0f} m, {} crossings: first answer {:.1f} ms, median {:.1f} ms, slowest {:.1f} ms, hash "
+      "{:016x}\n",
+      places, 2 * across.norm(), crossings, first, times[times.size() / 2], times.back(), hash);
 }

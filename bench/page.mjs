@@ -154,13 +154,15 @@ async function measure(name, { write, runs = false }) {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.addInitScript(watch);
     let received = 0;
-    page.on('response', async (answer) => {
-      if (/\/(tiles\/|mesh$|paths)/.test(answer.url())) received += (await answer.body().catch(() => '')).length;
-    });
+    const session = await page.context().newCDPSession(page);
+    await session.send('Network.enable');
+    const data = new Set();
+    session.on('Network.responseReceived', ({ requestId, response }) => /\/(tiles\/|mesh$|paths)/.test(response.url) && data.add(requestId));
+    session.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => data.has(requestId) && (received += encodedDataLength));
     await page.goto(address);
     const begun = performance.now();
     await page.getByRole('button', { name: new RegExp(`${name}.toml`) }).first().click();
-    await page.locator('canvas[data-detail]').waitFor();
+    await page.getByRole('button', { name: 'Distance' }).waitFor();
     await page.getByText('Loading the terrain').waitFor({ state: 'hidden' });
     const picture = (performance.now() - begun) / 1000;
     if (runs) {

@@ -49,8 +49,8 @@ MeshTiles::MeshTiles(const Model& model, const TriangleMesh& mesh)
   const Vec3 extent = mesh.bounds().high - low_;
   const double tiles = std::max(1.0, static_cast<double>(mesh.facet_count()) / triangles_of_finest_tile);
   // At most four times as many tiles along a narrow mesh as in a square.
-  finest_ = std::max(
-      {std::sqrt(extent.x() * extent.y() / tiles), extent.x() / (4 * tiles), extent.y() / (4 * tiles), 1e-3});
+  finest_ =
+      std::max({std::sqrt(extent.x() * extent.y() / tiles), extent.x() / (4 * tiles), extent.y() / (4 * tiles), 1e-3});
   for (std::uint32_t stride = 1;; stride *= 2) {
     levels_.push_back({stride, count_of(extent.x(), finest_ * stride), count_of(extent.y(), finest_ * stride)});
     if (levels_.back().columns == 1 && levels_.back().rows == 1) return;
@@ -85,6 +85,7 @@ void MeshTiles::cluster(Level& level) const {
   Numbers<std::array<std::int32_t, 3>, HashOfCube> cubes;
   std::vector<std::array<double, 4>> sums;  // of places, and how many
   Numbers<std::array<std::int32_t, 3>, HashOfCube> known;
+  std::vector<std::uint32_t> facets;  // from which the triangles come
   for (std::uint32_t k = 0; k < mesh_.facet_count(); ++k) {
     Corners corners{};
     std::size_t at = 0;
@@ -101,15 +102,24 @@ void MeshTiles::cluster(Level& level) const {
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     Corners sorted = corners;
     std::ranges::sort(sorted);
-    const bool is_new = known.of({static_cast<std::int32_t>(sorted[0]), static_cast<std::int32_t>(sorted[1]),
-                                  static_cast<std::int32_t>(sorted[2])})
+    const bool is_new = known
+                            .of({static_cast<std::int32_t>(sorted[0]), static_cast<std::int32_t>(sorted[1]),
+                                 static_cast<std::int32_t>(sorted[2])})
                             .second;
     if (!is_new) continue;
     level.triangles.push_back(corners);
-    level.materials.push_back(model_.ground.material_of(mesh_.source({k})).index);
+    facets.push_back(k);
   }
   for (const auto& [x, y, z, count] : sums)
     for (const double sum : {x, y, z}) level.positions.push_back(static_cast<float>(sum / count));
+  // Some triangles are turned over, which would be seen as specks.
+  std::size_t kept = 0;
+  for (std::uint32_t k = 0; k < facets.size(); ++k) {
+    if (area_normal(corners_of(level, k)).dot(area_normal(mesh_.triangle({facets[k]}))) <= 0) continue;
+    level.triangles[kept++] = level.triangles[k];
+    level.materials.push_back(model_.ground.material_of(mesh_.source({facets[k]})).index);
+  }
+  level.triangles.resize(kept);
 }
 
 void MeshTiles::share_out(Level& level, std::size_t triangles) const {

@@ -1,8 +1,8 @@
 #pragma once
 // A triangle mesh in tiles and levels of detail, for drawing the visible part. Level 0 has the mesh's own triangles. In
 // each further level tiles are twice as wide, and all vertices within a cube of a grid become one, in their mean
-// (Rossignac & Borrel, Multi-resolution 3D approximations for rendering complex scenes, 1993): triangles with two corners
-// in a cube vanish. The last level is one tile.
+// (Rossignac & Borrel, Multi-resolution 3D approximations for rendering complex scenes, 1993): triangles with two
+// corners in a cube vanish. The last level is one tile.
 //
 // A triangle belongs to every tile that it overlaps or is close to. So neighbours overlap, which hides cracks between
 // tiles of different levels.
@@ -19,8 +19,8 @@ namespace talus::server {
 
 class MeshTiles {
  public:
-  static constexpr std::uint32_t side = 96;                    // cells of a tile
-  static constexpr double triangles_of_finest_tile = 16'000;  // on average
+  static constexpr std::uint32_t side = 48;                  // cells of a tile
+  static constexpr double triangles_of_finest_tile = 4'000;  // on average
 
   /// `mesh` is the model's surface. The model must be alive at every call.
   MeshTiles(const Model& model, const TriangleMesh& mesh);

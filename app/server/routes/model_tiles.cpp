@@ -54,16 +54,17 @@ void add_model_tile_routes(Router& router, const ModelShelf& shelf) {
     refuse_section();
   });
   // The number of digits is limited so that no number overflows.
-  router.get("/api/models/([0-9a-f]+)/tiles/([0-9]{1,2})/([0-9]{1,9})/([0-9]{1,9})", [&shelf, meshes](const Call& call) {
-    const ModelShelf::Held held = shelf.find(call.part(1));
-    const auto number = [&](std::size_t k) { return static_cast<std::uint32_t>(std::stoul(call.part(k))); };
-    const auto& surface = held->model.surface;
-    if (const auto* raster = std::get_if<RasterSurface>(&surface))
-      return TerrainTiles(held->model, *raster).tile(number(2), number(3), number(4));
-    if (const auto* mesh = std::get_if<TriangleMesh>(&surface))
-      return meshes->of(held, *mesh)->tile(number(2), number(3), number(4));
-    refuse_section();
-  });
+  router.get("/api/models/([0-9a-f]+)/tiles/([0-9]{1,2})/([0-9]{1,9})/([0-9]{1,9})",
+             [&shelf, meshes](const Call& call) {
+               const ModelShelf::Held held = shelf.find(call.part(1));
+               const auto number = [&](std::size_t k) { return static_cast<std::uint32_t>(std::stoul(call.part(k))); };
+               const auto& surface = held->model.surface;
+               if (const auto* raster = std::get_if<RasterSurface>(&surface))
+                 return TerrainTiles(held->model, *raster).tile(number(2), number(3), number(4));
+               if (const auto* mesh = std::get_if<TriangleMesh>(&surface))
+                 return meshes->of(held, *mesh)->tile(number(2), number(3), number(4));
+               refuse_section();
+             });
 }
 
 }  // namespace talus::server

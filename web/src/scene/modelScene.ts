@@ -240,7 +240,7 @@ export class ModelScene {
   /// Before each frame.
   private prepare() {
     const { stage, material } = this;
-    this.terrain?.select(stage.camera, (stage.size.height * stage.renderer.getPixelRatio()) / stage.detail.pixels, stage.world.scale.z, stage.isMoving);
+    this.terrain?.select(stage.camera, (stage.size.height * stage.renderer.getPixelRatio()) / stage.detail.pixels, stage.world.scale.z, stage.detail.cells);
     const metresPerPixel = stage.metresPerPixel;
     const interval = contours.peek() ? roundStep(Math.max(14 * metresPerPixel, (this.box.max.z - this.box.min.z) / 60)) : 0;
     if (material) {
@@ -324,7 +324,7 @@ export class ModelScene {
   missing(pixels: number): number {
     const { stage } = this;
     stage.camera.updateMatrixWorld();
-    this.terrain?.select(stage.camera, pixels, stage.world.scale.z, false);
+    this.terrain?.select(stage.camera, pixels, stage.world.scale.z, 1);
     return this.terrain?.missing ?? 0;
   }
 

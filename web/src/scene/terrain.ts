@@ -14,9 +14,9 @@ export interface Hit {
 
 export interface Terrain {
   object: Object3D;
-  /// Selects the parts and resolution to draw; `pixels` is the height of the picture. With fewer triangles while the view
-  /// moves.
-  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number, isMoving: boolean): void;
+  /// Selects the parts and resolution to draw; `pixels` is the height of the picture. With `cells` above 1, while the view
+  /// moves, cells may be larger by about this factor.
+  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number, cells: number): void;
   /// The number of selected parts that are not loaded yet.
   readonly missing?: number;
   /// The first intersection with a ray, in the scene's coordinates without exaggeration.
@@ -44,8 +44,8 @@ export interface TerrainTile {
   /// The turn in which it was last visible.
   used: number;
   pick(ray: Ray): PickedTile | null;
-  /// Draws the tile with fewer triangles; without it, coarser tiles are chosen.
-  thin?(isThin: boolean): void;
+  /// Draws the tile with cells that are larger by about this factor, 1: all; without it, coarser tiles are chosen.
+  thin?(cells: number): void;
   /// At most about `most` squared points spread over it.
   samplePoints(most: number): Vector3[];
   dispose(): void;

@@ -27,7 +27,7 @@ export interface TileHeader {
   rows: number;
 }
 
-const thinStep = 4; // nodes; sides of tiles have a multiple of it, except at the border of the raster
+const thinSteps = [8, 4]; // nodes; sides of tiles have a multiple of them, except at the border of the raster
 
 const sharedNodes = new Map<string, BufferAttribute>();
 
@@ -67,8 +67,8 @@ export class Tile implements TerrainTile {
   readonly bytes: number;
   used = 0;
   private readonly whole: BufferAttribute;
-  private thinned: BufferAttribute | undefined;
-  private readonly makeThin: () => BufferAttribute;
+  private readonly thinned: Record<number, BufferAttribute> = {};
+  private readonly indexOf: (step: number) => BufferAttribute;
   private readonly heights: Float32Array;
   /// Per cell, 1 if it is cut from south-west to north-east.
   private readonly diagonals: NumberArray;
@@ -143,7 +143,7 @@ export class Tile implements TerrainTile {
     geometry.setAttribute('gradient', new BufferAttribute(gradient, 2));
     this.whole = new BufferAttribute(cutCells(height, across, along, (i, j) => this.isNorthEast(i - 1, j - 1)), 1);
     geometry.setIndex(this.whole);
-    this.makeThin = () => new BufferAttribute(thinCells(height, across, along, thinStep), 1);
+    this.indexOf = (step) => new BufferAttribute(thinCells(height, across, along, step), 1);
     if (!(low <= high)) [low, high] = [0, 0];
     this.box = new Box3(
       new Vector3(x, y, z + low),
@@ -162,8 +162,10 @@ export class Tile implements TerrainTile {
     this.bytes = 16 * height.length + 4 * geometry.index!.count + 2 * (columns - 1) * (rows - 1);
   }
 
-  thin(isThin: boolean) {
-    this.mesh.geometry.setIndex(isThin ? (this.thinned ??= this.makeThin()) : this.whole);
+  thin(cells: number) {
+    const step = thinSteps.find((each) => each <= cells);
+    if (step && !this.thinned[step]) this.thinned[step] = this.indexOf(step);
+    this.mesh.geometry.setIndex(step ? this.thinned[step]! : this.whole);
   }
 
   /// Of a cell; of one in the skirt, any.

@@ -101,7 +101,7 @@ export class TiledTerrain implements Terrain {
     return (node.children = list);
   }
 
-  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number, isMoving: boolean) {
+  select(camera: Camera & { fov: number }, pixels: number, exaggeration: number, cells: number) {
     ++this.turn;
     const view = new Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     view.multiply(new Matrix4().makeScale(1, 1, exaggeration));
@@ -110,7 +110,7 @@ export class TiledTerrain implements Terrain {
     eye.z /= exaggeration;
     const focal = pixels / (2 * Math.tan((camera.fov * Math.PI) / 360));
     this.wanted = [];
-    const most = isMoving && !this.roots[0]!.tile?.thin ? 3 * pixelsPerCell : pixelsPerCell;
+    const most = pixelsPerCell * (this.roots[0]!.tile?.thin ? 1 : cells);
     const now: Node[] = [];
     const visit = (node: Node) => {
       if (!frustum.intersectsBox(node.box)) return;
@@ -134,7 +134,7 @@ export class TiledTerrain implements Terrain {
     for (const node of this.drawn) if (!now.includes(node) && node.tile) node.tile.mesh.visible = false;
     for (const { tile } of now) {
       tile!.mesh.visible = true;
-      tile!.thin?.(isMoving);
+      tile!.thin?.(cells);
     }
     this.drawn = now;
     this.wanted.sort((a, b) => b.priority - a.priority);

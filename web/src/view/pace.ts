@@ -4,17 +4,19 @@
 export interface Detail {
   /// Drawing buffer pixels along a side, as a share of those at rest.
   pixels: number;
+  /// Cells of the terrain are about this much larger.
+  cells: number;
   /// Of trajectories: the most segments, and how far they may be off [pixels].
   segments: number;
   tolerance: number;
 }
 
-export const atRest: Detail = { pixels: 1, segments: 400_000, tolerance: 0.4 };
+export const atRest: Detail = { pixels: 1, cells: 1, segments: 400_000, tolerance: 0.4 };
 const moving: readonly Detail[] = [
-  { pixels: 1, segments: 60_000, tolerance: 0.8 },
-  { pixels: 0.75, segments: 25_000, tolerance: 1.5 },
-  { pixels: 0.6, segments: 12_000, tolerance: 2 },
-  { pixels: 0.5, segments: 6_000, tolerance: 2.5 },
+  { pixels: 1, cells: 4, segments: 60_000, tolerance: 0.8 },
+  { pixels: 0.75, cells: 4, segments: 25_000, tolerance: 1.5 },
+  { pixels: 0.6, cells: 8, segments: 12_000, tolerance: 2 },
+  { pixels: 0.5, cells: 8, segments: 6_000, tolerance: 2.5 },
 ];
 
 const [slow, rather, quick] = [90, 70, 35]; // ms of a frame: a tenth of a second is wanted
