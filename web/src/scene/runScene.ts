@@ -147,8 +147,8 @@ export class RunScene {
     const stretch = stage.world.scale.z;
     this.eye.copy(stage.camera.position);
     this.eye.z /= stretch;
-    // An error is drawn as much larger as heights are exaggerated.
-    const allowed = tolerance / Math.max(1, stretch);
+    // In pixels of a fine screen or print; and an error is drawn as much larger as heights are exaggerated.
+    const allowed = tolerance / Math.max(1, ratio) / Math.max(1, stretch);
     this.measureOf(this.shown.peek(), width, height, ratio, perMetre, allowed, segments);
     this.measureOf(this.compared.peek(), width, height, ratio, perMetre, allowed, segments);
   }
