@@ -80,6 +80,19 @@ struct LineOptions {
 };
 int line(const LineOptions& options);
 
+/// A question to a project and its variations; one of line, barrier and polygon.
+struct WhatIfOptions {
+  ProjectOptions project;
+  std::string line, polygon, barrier;  // as in LineOptions
+  std::vector<std::string> steps;      // FACTOR=PERCENT; empty: the usual ones
+  std::string material;                // alone; empty: all
+  std::optional<double> within_s;      // time for the runs
+  std::filesystem::path folder;        // for tables; empty: none
+  int threads = 0;
+  bool quiet = false;
+};
+int what_if(const WhatIfOptions& options);
+
 struct ReportOptions {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path file;         // empty: report.html in the first folder, or compare.html for several

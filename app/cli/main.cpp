@@ -46,6 +46,22 @@ void add_maps_memory(CLI::App& command, std::uint64_t& bytes) {
       ->type_name("SIZE");
 }
 
+/// One of a line, a barrier and a polygon.
+void add_question(CLI::App& command, std::string& line, std::string& barrier, std::string& polygon) {
+  auto* const asked = command.add_option_group("question", "What is asked");
+  asked
+      ->add_option("--line", line,
+                   "Corners \"x,y x,y ...\" (2D: x), a table (.csv) with the columns x_m and y_m, or a GIS file with "
+                   "one line")
+      ->check(names_line)
+      ->type_name("LINE");
+  asked->add_option("--barrier", barrier, "A barrier or collector, by its name")->check(names_line)->type_name("NAME");
+  asked->add_option("--polygon", polygon, "As --line: the corners of a polygon")
+      ->check(names_line)
+      ->type_name("POLYGON");
+  asked->require_option(1);
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"Talus, a rockfall simulator: where do rocks go, how fast, how high, and which barrier stops them?",
                "talus"};
@@ -160,20 +176,7 @@ int dispatch(int argc, char** argv) {
       ->required()
       ->check(names_folder)
       ->type_name("DIR");
-  auto* const asked = line_command->add_option_group("question", "What is asked");
-  asked
-      ->add_option("--line", line_options.line,
-                   "Corners \"x,y x,y ...\" (2D: x), a table (.csv) with the columns x_m and y_m, or a GIS file with "
-                   "one line")
-      ->check(names_line)
-      ->type_name("LINE");
-  asked->add_option("--barrier", line_options.barrier, "A barrier or collector of the run, by its name")
-      ->check(names_line)
-      ->type_name("NAME");
-  asked->add_option("--polygon", line_options.polygon, "As --line: the corners of a polygon")
-      ->check(names_line)
-      ->type_name("POLYGON");
-  asked->require_option(1);
+  add_question(*line_command, line_options.line, line_options.barrier, line_options.polygon);
   auto* const kit_height =
       line_command
           ->add_option("--height", line_options.height_m, "Nominal height of a kit on the line: what does it stop?")
@@ -205,6 +208,39 @@ int dispatch(int argc, char** argv) {
                               ->type_name("FILE");
   line_command->add_flag("--csv", line_options.csv, "Print the rows of design.csv instead of a table")
       ->excludes(json_file);
+
+  WhatIfOptions what_if_options;
+  CLI::App* what_if_command = app.add_subcommand(
+      "what-if",
+      "Compare what crosses a line, or enters a polygon, with other values of the project, for the same rocks");
+  add_project_options(*what_if_command, what_if_options.project);
+  add_question(*what_if_command, what_if_options.line, what_if_options.barrier, what_if_options.polygon);
+  what_if_command
+      ->add_option("--step", what_if_options.steps,
+                   "A factor and its step, for example --step normal_restitution=10%; repeatable (default: those that "
+                   "the project has of normal_restitution, tangential_restitution, friction_angle, dynamic_friction, "
+                   "rolling_friction by 10 %, roughness, forest_drag, mass by 25 %)")
+      ->type_name("FACTOR=PERCENT")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  what_if_command->add_option("--material", what_if_options.material, "Vary this material alone (default: all)")
+      ->check(not_empty("\"\" is not a material"))
+      ->type_name("NAME");
+  what_if_command
+      ->add_option("--within", what_if_options.within_s,
+                   "Time for the runs: as many rocks as fit, a fair sample of the project's (default: all, at most "
+                   "200,000)")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("SECONDS");
+  what_if_command
+      ->add_option("-o,--output", what_if_options.folder, "Folder for what_if.csv and what_if.json (default: none)")
+      ->check(names_folder)
+      ->type_name("DIR");
+  what_if_command->add_option("--threads", what_if_options.threads, "Number of threads (default: all cores)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  what_if_command->add_flag("--quiet,-q", what_if_options.quiet, "Print only the table, warnings and errors");
 
   ReportOptions report_options;
   CLI::App* report_command = app.add_subcommand("report", "Write report.html of a run again, or compare two runs");
@@ -345,6 +381,7 @@ int dispatch(int argc, char** argv) {
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);
   if (*line_command) return line(line_options);
+  if (*what_if_command) return what_if(what_if_options);
   if (*report_command) return report(report_options);
   if (*export_command) return export_paths(export_options);
   if (*sensitivity_command) return sensitivity(sensitivity_options);

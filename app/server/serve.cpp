@@ -23,6 +23,7 @@
 #include "run_models.hpp"
 #include "run_store.hpp"
 #include "talus/core/memory.hpp"
+#include "what_if_jobs.hpp"
 #include "workplace.hpp"
 
 namespace talus::server {
@@ -85,6 +86,7 @@ void serve(const ServeOptions& options) {
   RunStore runs(workplace, events, reading);
   RunModels run_models(workplace, reading, usable_memory() / share_of_models);
   AskedRuns asked(run_models);
+  WhatIfJobs what_ifs;
   router.set_port(port);
   server.set_payload_max_length(std::max(router.limits().upload_bytes, router.limits().json_bytes));
 
@@ -100,7 +102,7 @@ void serve(const ServeOptions& options) {
   add_run_routes(router, runs, events);
   add_calibration_routes(router, runs);
   add_observation_routes(router, workplace, shelf, runs, reading);
-  add_result_routes(router, runs, run_models, asked);
+  add_result_routes(router, runs, run_models, asked, what_ifs);
   add_model_tile_routes(router, shelf);
   add_model_query_routes(router, shelf);
   add_line_file_routes(router, workplace, shelf, reading);
@@ -115,6 +117,7 @@ void serve(const ServeOptions& options) {
     };
     wait_until([&] { return options.stop != nullptr && *options.stop; });
     events.close();
+    what_ifs.close();
     runs.close();
     wait_until([&] { return server.is_running(); });  // the library ignores an earlier stop
     server.stop();

@@ -21,6 +21,7 @@
 #include "talus/maps/source_maps.hpp"
 #include "talus/model/release_columns.hpp"
 #include "talus/sensitivity/output.hpp"
+#include "talus/what_if/output.hpp"
 
 namespace talus {
 namespace {
@@ -52,6 +53,7 @@ const Tables& tables() {
                              {"design_ranking.csv", column_texts<RankingRow>()},
                              {"design_pairs.csv", column_texts<PairRow>()},
                              {"sensitivity.csv", column_texts<sensitivity::EffectRow>()},
+                             {"what_if.csv", column_texts<what_if::WhatIfRow>()},
                              {"uncertainty.csv", column_texts<UncertaintyRow>()},
                              {"sources.csv", column_texts<SourceRow>()},
                              {"releases", project::release_column_texts()},
@@ -85,8 +87,8 @@ std::string with_tables(const std::string& page, std::set<std::string>& seen) {
 
 TEST(ColumnTables, PageIsNotStale) {
   std::set<std::string> seen;
-  for (const char* name :
-       {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md", "/docs/predictions.md", "/docs/sensitivity.md"})
+  for (const char* name : {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md", "/docs/predictions.md",
+                           "/docs/sensitivity.md", "/docs/ask-the-line.md"})
     expect_fresh(name, with_tables(text_of(std::string(TALUS_SOURCE_DIR) + name), seen));
   EXPECT_EQ(seen.size(), tables().size()) << "every table has its columns in the documentation";
 }

@@ -96,11 +96,12 @@ void add_file_result_routes(Router& router, RunStore& runs) {
   });
 }
 
-void add_result_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked) {
+void add_result_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked, WhatIfJobs& what_ifs) {
   add_file_result_routes(router, runs);
   add_rock_routes(router, runs, models, asked);
   add_statistics_routes(router, runs, asked);
   add_line_routes(router, runs, asked);
+  add_what_if_routes(router, runs, asked, what_ifs);
   add_map_routes(router, runs);
 }
 

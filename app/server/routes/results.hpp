@@ -10,6 +10,8 @@
 
 namespace talus::server {
 
+class WhatIfJobs;
+
 /// The path of one run.
 inline const std::string one_run = R"(/api/runs/([A-Za-z0-9._-]+))";
 
@@ -17,6 +19,7 @@ void add_file_result_routes(Router& router, RunStore& runs);
 void add_rock_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked);
 void add_statistics_routes(Router& router, RunStore& runs, AskedRuns& asked);
 void add_line_routes(Router& router, RunStore& runs, AskedRuns& asked);
+void add_what_if_routes(Router& router, RunStore& runs, AskedRuns& asked, WhatIfJobs& jobs);
 void add_map_routes(Router& router, RunStore& runs);
 
 }  // namespace talus::server

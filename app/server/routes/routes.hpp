@@ -15,6 +15,7 @@ class EventHub;
 class ProjectFiles;
 class RunModels;
 class RunStore;
+class WhatIfJobs;
 
 /// The page itself, and the start of a session. `address` returns one with a new token.
 void add_page_routes(Router& router, httplib::Server& server, Session& session,
@@ -32,7 +33,7 @@ void add_calibration_routes(Router& router, RunStore& runs);
 /// Observed blocks and marks beside a model and beside a run.
 void add_observation_routes(Router& router, const Workplace& workplace, const ModelShelf& shelf, RunStore& runs,
                             ModelReading& reading);
-void add_result_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked);
+void add_result_routes(Router& router, RunStore& runs, RunModels& models, AskedRuns& asked, WhatIfJobs& what_ifs);
 void add_model_tile_routes(Router& router, const ModelShelf& shelf);
 void add_model_query_routes(Router& router, const ModelShelf& shelf);
 /// Lines and areas from vector files, in the coordinates of a model.

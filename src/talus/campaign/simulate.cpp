@@ -61,7 +61,7 @@ class RocksInProgress {
         on_plan_(index_of(model.barriers)),
         lanes_(RockRun<Surface>::glide_laws(model.laws)) {}
 
-  /// Returns the number after the last rock passed to the order's `see`.
+  /// Returns the end of the range of rocks passed to the order's `see`.
   std::uint64_t follow(const SimulationOrder& order) {
     next_ = seen_ = order.rocks.first;
     while (seen_ < order.rocks.last && !was_stopped_) {
@@ -69,12 +69,13 @@ class RocksInProgress {
       if (!lanes_.is_full() && ready_count_ > 0) {
         advance(order, ready_[--ready_count_]);
       } else if (!lanes_.is_full() && next_ < order.rocks.last && next_ - seen_ < rocks_.size()) {
+        const std::uint64_t number = order.numbers.empty() ? next_ : order.numbers[next_];
         const std::size_t place = next_ % rocks_.size();
         RockInProgress<Surface>& rock = rocks_[place];
-        rock.log.keep_rows(order.keep_rows(next_));
+        rock.log.keep_rows(order.keep_rows(number));
         rock.log.keep_pieces(order.keep_pieces);
-        rock.log.keep_impacts(order.keep_impacts && order.keep_impacts(next_));
-        rock.begin(model_.of_rock(next_), surface_, on_plan_, next_);
+        rock.log.keep_impacts(order.keep_impacts && order.keep_impacts(number));
+        rock.begin(model_.of_rock(number), surface_, on_plan_, number);
         ++next_;
         is_done_[place] = false;
         advance(order, place);
@@ -110,12 +111,12 @@ class RocksInProgress {
   const Surface& surface_;
   PlanIndex on_plan_;  // of the barriers
   GlideLanes lanes_;
-  std::array<RockInProgress<Surface>, slots> rocks_;  // rock n has place n modulo their number
+  std::array<RockInProgress<Surface>, slots> rocks_;  // rock n of the order has place n modulo their number
   std::array<bool, slots> is_done_{};
   std::array<std::size_t, slots> ready_{};  // whose glide has ended
   std::size_t ready_count_ = 0;
   bool was_stopped_ = false;           // then this object must not be used again
-  std::uint64_t next_ = 0, seen_ = 0;  // the first rock not yet started, and the first not yet passed on
+  std::uint64_t next_ = 0, seen_ = 0;  // of the order: the first not yet started, and the first not yet passed on
 };
 
 }  // namespace
@@ -171,6 +172,7 @@ std::uint64_t Simulator::simulate(const SimulationOrder& order) { return rocks_-
 RockRecord Simulator::simulate(std::uint64_t rock, bool keep_rows, bool keep_pieces, bool keep_impacts) {
   RockRecord record;
   const std::uint64_t next = rocks_->follow({{rock, rock + 1},
+                                             {},
                                              [keep_rows](std::uint64_t) { return keep_rows; },
                                              [keep_impacts](std::uint64_t) { return keep_impacts; },
                                              keep_pieces,

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 
 #include "talus/campaign/model.hpp"
 #include "talus/campaign/shard.hpp"
@@ -15,10 +16,11 @@ namespace talus {
 /// Which rocks to simulate, what to keep of their paths, and who receives them.
 struct SimulationOrder {
   RockRange rocks;
+  std::span<const std::uint64_t> numbers{};  // `rocks` are places in this list; empty: numbers of rocks
   std::function<bool(std::uint64_t rock)> keep_rows;
   std::function<bool(std::uint64_t rock)> keep_impacts;  // empty: of no rock
   bool keep_pieces = false;
-  /// Called in the order of the rocks; the log is valid until it returns.
+  /// Called in this order; the log is valid until it returns.
   std::function<void(const RockRecord&, const RockLog&)> see;
   const StopScope* stop = nullptr;  // when a stop is requested, rocks in progress are dropped; null: never
 };
@@ -41,7 +43,7 @@ class Simulator {
   Simulator& operator=(const Simulator&) = delete;
 
   /// Several rocks at the same time, which is faster than one after the other and gives the same bits. Returns the
-  /// number after the last rock passed to `see`, which is smaller than that of the order's last rock if it was stopped.
+  /// end of the range of rocks passed to `see`, which is smaller than that of the order if it was stopped.
   std::uint64_t simulate(const SimulationOrder& order);
   /// One rock. Rows, pieces and impacts of the path are kept only on request; the log is valid until the next rock.
   /// Throws Stopped at the request of the thread's StopScope.

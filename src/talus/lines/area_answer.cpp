@@ -57,36 +57,6 @@ PlanBounds bounds_of(const Parabola& path, double duration) {
   return bounds;
 }
 
-std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area, const RockPath& path,
-                                      std::vector<std::pair<double, double>>& parts) {
-  const bool is_sphere = model.laws.model == RockModel::rigid_sphere;
-  const Rock& body = path.record.body;
-  std::optional<RockInside> inside;
-  double height = 0, squared_velocity = 0, translational = 0, total = 0;
-  for (const PathPiece& piece : path.pieces) {
-    if (!area.bounds.meet(bounds_of(piece.path, piece.duration))) continue;
-    parts_inside(area, piece.path, piece.duration, parts);
-    for (const auto& [from, to] : parts) {
-      if (!inside) inside = RockInside{.rock = path.record.rock};
-      const MaxMotion most = max_motion(piece, body, from, to);
-      squared_velocity = std::max(squared_velocity, most.squared_velocity);
-      translational = std::max(translational, most.energy_translational);
-      total = std::max(total, most.energy_total);
-      height = std::visit([&](const auto& surface) { return max_height(surface, piece, is_sphere, from, to, height); },
-                          model.surface);
-    }
-  }
-  const Motion& end = path.record.outcome.end;
-  const EndReason reason = path.record.outcome.reason;
-  const bool stays = reason != EndReason::left_model && reason != EndReason::lost && reason != EndReason::no_data;
-  if (stays && area.polygon.contains(end.position.head<2>())) {
-    if (!inside) inside = RockInside{.rock = path.record.rock};
-    inside->stops = true;
-  }
-  if (inside) inside->maxima = {translational, total, std::sqrt(squared_velocity), height, body.radius};
-  return inside;
-}
-
 }  // namespace
 
 AskedArea drawn_area(const Model& model, std::span<const PlanPlace> corners, std::string_view where,
@@ -164,6 +134,36 @@ void parts_inside(const AskedArea& area, const Parabola& path, double duration,
   }
 }
 
+std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area, const RockPath& path) {
+  thread_local std::vector<std::pair<double, double>> parts;
+  const bool is_sphere = model.laws.model == RockModel::rigid_sphere;
+  const Rock& body = path.record.body;
+  std::optional<RockInside> inside;
+  double height = 0, squared_velocity = 0, translational = 0, total = 0;
+  for (const PathPiece& piece : path.pieces) {
+    if (!area.bounds.meet(bounds_of(piece.path, piece.duration))) continue;
+    parts_inside(area, piece.path, piece.duration, parts);
+    for (const auto& [from, to] : parts) {
+      if (!inside) inside = RockInside{.rock = path.record.rock};
+      const MaxMotion most = max_motion(piece, body, from, to);
+      squared_velocity = std::max(squared_velocity, most.squared_velocity);
+      translational = std::max(translational, most.energy_translational);
+      total = std::max(total, most.energy_total);
+      height = std::visit([&](const auto& surface) { return max_height(surface, piece, is_sphere, from, to, height); },
+                          model.surface);
+    }
+  }
+  const Motion& end = path.record.outcome.end;
+  const EndReason reason = path.record.outcome.reason;
+  const bool stays = reason != EndReason::left_model && reason != EndReason::lost && reason != EndReason::no_data;
+  if (stays && area.polygon.contains(end.position.head<2>())) {
+    if (!inside) inside = RockInside{.rock = path.record.rock};
+    inside->stops = true;
+  }
+  if (inside) inside->maxima = {translational, total, std::sqrt(squared_velocity), height, body.radius};
+  return inside;
+}
+
 std::vector<std::uint64_t> AreaAnswer::stopping() const {
   std::vector<std::uint64_t> numbers;
   for (const RockInside& rock : entering) {
@@ -180,10 +180,9 @@ AreaAnswer ask_area(const Model& model, const project::DesignBasis& basis, const
   std::vector<std::vector<RockInside>> found((near.size() + in_block - 1) / in_block);
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t block) {
     RockPath path;
-    std::vector<std::pair<double, double>> parts;
     for (std::size_t k = block * in_block; k < std::min(near.size(), (block + 1) * in_block); ++k) {
       paths.read(near[k], path);
-      if (const auto inside = rock_inside(model, area, path, parts)) found[block].push_back(*inside);
+      if (const auto inside = rock_inside(model, area, path)) found[block].push_back(*inside);
     }
   });
   for (const auto& block : found) answer.entering.insert(answer.entering.end(), block.begin(), block.end());

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -43,6 +44,9 @@ struct RockInside {
   bool stops = false;       // its path ends inside
   CrossingMaxima maxima{};  // inside
 };
+
+/// Nullopt if it is never inside.
+[[nodiscard]] std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area, const RockPath& path);
 
 struct AreaAnswer {
   DesignPlan plan;                   // without lines: percentiles and confidence

@@ -8,8 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "talus/campaign/own_section.hpp"
-#include "talus/lines/path_crossings.hpp"
+#include "talus/lines/line_follower.hpp"
 #include "talus/model/design_plan.hpp"
 
 namespace talus {
@@ -20,52 +19,6 @@ namespace {
 struct Found {
   std::uint32_t line;
   CrossingRock crossing;
-};
-
-/// Follows rocks past all barriers of the model and all lines; each thread has its own.
-class Follower {
- public:
-  Follower(const Model& model, const std::vector<Barrier>& barriers, const PlanIndex& on_plan)
-      : model_(model),
-        is_sphere_(model.laws.model == RockModel::rigid_sphere),
-        section_(model.varying ? std::make_unique<OwnSection>(model, barriers) : nullptr),
-        crossings_(section_ ? BarrierList(section_->barriers(), on_plan) : BarrierList(barriers, on_plan)) {}
-
-  /// The crossings of the rock of `path`. `asked`: the numbers of the barriers that matter.
-  const RockLog& follow(std::span<const std::uint32_t> asked) {
-    if (section_) section_->move_for(model_, path.record.rock);
-    crossings_.begin(is_sphere_ ? path.record.body.radius : 0);
-    for (const PathPiece& piece : path.pieces) {
-      // With several lines, the last one is rarely known before the rock has ended.
-      if (asked.size() == 1 && crossings_.is_settled(BarrierId{asked.front()}, piece.start_time)) break;
-      crossings_.add(piece);
-    }
-    crossings_.end(path.record.outcome.reason == EndReason::stopped_by_barrier);
-    return crossings_.found();
-  }
-  RockPath path;  // read into
-
- private:
-  const Model& model_;
-  const bool is_sphere_;
-  std::unique_ptr<OwnSection> section_;
-  PathCrossings crossings_;
-};
-
-/// The model's barriers, and the lines that are asked.
-struct AskedBarriers {
-  std::vector<Barrier> all;
-  std::vector<std::uint32_t> numbers;  // of the lines
-  PlanIndex on_plan;
-
-  AskedBarriers(const Model& model, std::span<const AskedLine> lines) : all(model.barriers) {
-    // A collector of the run stands for no one but itself.
-    for (const AskedLine& line : lines) {
-      numbers.push_back(line.of_model.value_or(static_cast<std::uint32_t>(all.size())));
-      if (!line.of_model) all.push_back(line.barrier);
-    }
-    on_plan = index_of(all);
-  }
 };
 
 /// The places of the rocks that come near any of the lines.
@@ -85,14 +38,15 @@ std::vector<std::size_t> rocks_near(const RockPaths& paths, std::span<const Aske
   return places;
 }
 
-DesignPlan plan_of(const project::DesignBasis& basis, const Model& model, const AskedLine& line, std::uint32_t number) {
+}  // namespace
+
+DesignPlan plan_of_line(const project::DesignBasis& basis, const Model& model, const AskedLine& line,
+                        std::uint32_t number) {
   const bool in_section = std::holds_alternative<Profile>(model.surface);
   DesignPlan plan = project::design_check(basis);
   plan.lines = {project::line_along(line.barrier, number, basis.design.section_m, in_section)};
   return plan;
 }
-
-}  // namespace
 
 std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis& basis, const RockPaths& paths,
                                   std::span<const AskedLine> lines) {
@@ -100,7 +54,7 @@ std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis
   std::vector<LineAnswer> answers;
   std::vector<DesignTally> tallies;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    DesignPlan plan = plan_of(basis, model, lines[k], barriers.numbers[k]);
+    DesignPlan plan = plan_of_line(basis, model, lines[k], barriers.numbers[k]);
     tallies.emplace_back(plan, paths.planned());
     answers.push_back({.plan = std::move(plan),
                        .result = {},
@@ -112,14 +66,18 @@ std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis
   const auto near = rocks_near(paths, lines, model.laws.model == RockModel::rigid_sphere);
   constexpr std::size_t in_block = 64;
   std::vector<std::vector<Found>> found((near.size() + in_block - 1) / in_block);
-  tbb::enumerable_thread_specific<Follower> followers([&] { return Follower(model, barriers.all, barriers.on_plan); });
+  struct Reader {
+    LineFollower follower;
+    RockPath path;  // read into
+  };
+  tbb::enumerable_thread_specific<Reader> readers([&] { return Reader{LineFollower(model, barriers), {}}; });
   tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t block) {
-    Follower& follower = followers.local();
+    auto& [follower, path] = readers.local();
     const std::size_t last = std::min(near.size(), (block + 1) * in_block);
     for (std::size_t k = block * in_block; k < last; ++k) {
-      paths.read(near[k], follower.path);
-      const RockRecord& record = follower.path.record;
-      const RockLog& log = follower.follow(barriers.numbers);
+      paths.read(near[k], path);
+      const RockRecord& record = path.record;
+      const RockLog& log = follower.follow(path);
       for (std::uint32_t line = 0; line < lines.size(); ++line) {
         const auto crossing = first_crossing_of(log, barriers.numbers[line]);
         if (!crossing) continue;

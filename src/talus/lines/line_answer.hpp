@@ -39,6 +39,10 @@ struct LineAnswer {
   [[nodiscard]] std::optional<std::uint32_t> worst_section() const;
 };
 
+/// The design of one line, with the check, percentiles and kits of `basis`; `number`: of its barrier.
+[[nodiscard]] DesignPlan plan_of_line(const project::DesignBasis& basis, const Model& model, const AskedLine& line,
+                                      std::uint32_t number);
+
 /// One answer for each line, with the check, percentiles and kits of `basis`. All lines are followed at the same time.
 [[nodiscard]] std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis& basis,
                                                 const RockPaths& paths, std::span<const AskedLine> lines);

@@ -18,6 +18,7 @@ import { intervalText, percentText } from './kit';
 import { ProfileOfLine } from './ProfileOfLine';
 import { missingPoints } from './shape';
 import { Sources } from './Sources';
+import { WhatIf } from './WhatIf';
 import './askedOverlay';
 import './askLine.css';
 
@@ -116,6 +117,7 @@ function OfLine({ of }: { of: LineAnswer }) {
       )}
       <OnlyThese what="cross" />
       {of.sources && <Sources hasKit />}
+      <WhatIf />
       {rocks > 0 && <BuildHere of={of} />}
     </>
   );
@@ -133,6 +135,7 @@ function OfPolygon({ of }: { of: PolygonAnswer }) {
       {of.entering.rocks > 0 && <Figures of={percentilesIn(of, percentile)} />}
       <OnlyThese what="enter" />
       {of.sources && <Sources hasKit={false} />}
+      <WhatIf />
     </>
   );
 }

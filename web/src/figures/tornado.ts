@@ -16,10 +16,14 @@ export interface TornadoBar {
   inner?: number | null;
   /// A diamond, which may be negative.
   mark?: number | null;
+  /// Another bar below it in the same row, for a change in the other direction; its name is that of the tip.
+  other?: TornadoBar;
 }
 
 export interface Tornado extends Quantity {
   bars: readonly TornadoBar[];
+  /// Bars can be chosen with the pointer.
+  choose?: (bar: TornadoBar) => void;
 }
 
 const letterWidth = 6.4;
@@ -30,11 +34,12 @@ export const shortened = (name: string, width: number) => {
   return name.length <= letters ? name : `…${name.slice(name.length - Math.max(1, letters - 1))}`;
 };
 
-export function tornado(element: SVGSVGElement, room: Room, { title, unit, bars }: Tornado) {
+export function tornado(element: SVGSVGElement, room: Room, { title, unit, bars, choose }: Tornado) {
   const svg = openDrawing(element, room);
   const longest = Math.max(1, ...bars.map(({ name }) => name.length));
   const nameWidth = Math.min(0.45 * room.width, letterWidth * longest);
-  const reached = bars.flatMap(({ value, low, high, inner, mark }) => [
+  const all = bars.flatMap((bar) => (bar.other ? [bar, bar.other] : [bar]));
+  const reached = all.flatMap(({ value, low, high, inner, mark }) => [
     0,
     value,
     ...[low, high, inner, mark].filter((each): each is number => typeof each === 'number'),
@@ -55,16 +60,9 @@ export function tornado(element: SVGSVGElement, room: Room, { title, unit, bars 
     .attr('x2', x(0))
     .attr('y1', side.top)
     .attr('y2', side.bottom);
-  bars.forEach((bar, k) => {
-    const middle = side.top + (k + 0.5) * each;
-    const g = svg.append('g').style('--run', bar.quiet ? 'var(--faint, #999)' : 'var(--run-a)');
-    const text = g
-      .append('text')
-      .attr('x', side.left - 10)
-      .attr('y', middle + 4)
-      .attr('text-anchor', 'end')
-      .text(shortened(bar.name, nameWidth));
-    text.append('title').text(bar.name);
+  const drawBar = (bar: TornadoBar, middle: number, half: number, colour: string) => {
+    const g = svg.append('g').style('--run', bar.quiet ? 'var(--faint, #999)' : colour);
+    if (choose) g.style('cursor', 'pointer').on('click', () => choose(bar));
     const box = (value: number, name: string) =>
       g
         .append('rect')
@@ -97,5 +95,19 @@ export function tornado(element: SVGSVGElement, room: Room, { title, unit, bars 
     if (typeof bar.inner === 'number') rows.push(`alone ${value(bar.inner)}`);
     if (typeof bar.mark === 'number') rows.push(`mean ${value(bar.mark)}`);
     tip(g, () => rows.join('\n'));
+  };
+  bars.forEach((bar, k) => {
+    const middle = side.top + (k + 0.5) * each;
+    svg
+      .append('text')
+      .attr('x', side.left - 10)
+      .attr('y', middle + 4)
+      .attr('text-anchor', 'end')
+      .text(shortened(bar.name, nameWidth))
+      .append('title')
+      .text(bar.name);
+    if (!bar.other) return drawBar(bar, middle, half, 'var(--run-a)');
+    drawBar(bar, middle - half / 2, half / 2 - 0.5, 'var(--run-a)');
+    drawBar(bar.other, middle + half / 2, half / 2 - 0.5, 'var(--run-b)');
   });
 }

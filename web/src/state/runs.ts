@@ -81,12 +81,12 @@ function take(run: Run) {
   all.value = known ? all.value.map((old) => (old.id === run.id ? run : old)) : [run, ...all.value];
 }
 
-/// Runs the current project.
-export async function compute(more: { name?: string; rocks?: number; seed?: number } = {}) {
+/// Runs the current project, or another text of it.
+export async function compute(more: { name?: string; rocks?: number; seed?: number } = {}, other?: string) {
   await checkFile();
   if (file.value === null) return;
   try {
-    const run = await api.compute(file.value, text.value, more);
+    const run = await api.compute(file.value, other ?? text.value, more);
     resolve('compute');
     startedHere.add(run.id);
     takeAnswer(run);

@@ -1,0 +1,60 @@
+// What if: the rocks of a run with other values, in the background ("What if" in docs/workbench-api.md).
+
+import { getJson, sendJson } from './client';
+import type { AskedShape, Interval } from './line';
+import type { Problem } from './types';
+
+/// A figure at the line; energies are those that the check takes.
+export type WhatIfFigure = 'share' | 'energy_J' | 'height_m' | 'velocity_m_s';
+/// Null: no rock crosses.
+type Figures = { rocks: number } & Record<WhatIfFigure, Interval | null>;
+
+/// A value before and after, as in the project's file; null: the key is not given.
+export interface Change {
+  path: [table: string, row: number, key: string];
+  name: string;
+  before: unknown;
+  after: unknown;
+}
+export interface Variation extends Figures {
+  factor: string;
+  title: string;
+  step_percent: number;
+  /// The values before and after, for people.
+  text: string;
+  /// Which values ended at the limit of their range.
+  clipped: string;
+  changes: Change[];
+  difference: { gained: number; lost: number } & Record<WhatIfFigure, Interval | null>;
+}
+export interface WhatIfAnswer {
+  /// Of each set; of the run.
+  rocks: number;
+  planned: number;
+  percentile: number;
+  confidence: number;
+  energy: 'total' | 'translational';
+  base: Figures;
+  variations: Variation[];
+}
+export interface WhatIfState {
+  run: string;
+  question: AskedShape;
+  /// Of the run's request.
+  overrides: { rocks: number | null; seed: number | null };
+  state: 'running' | 'done' | 'stopped' | 'failed';
+  done: number;
+  planned: number;
+  seconds: number;
+  seconds_left: number | null;
+  problems: Problem[];
+  answer: WhatIfAnswer | null;
+}
+
+const at = (run: string) => `/api/runs/${encodeURIComponent(run)}/what_if`;
+
+export const whatIfs = {
+  begin: (run: string, shape: AskedShape) => sendJson<WhatIfState>('POST', at(run), shape),
+  state: (run: string) => getJson<WhatIfState>(at(run)),
+  stop: (run: string) => sendJson<WhatIfState>('POST', `${at(run)}/stop`, {}),
+};

@@ -1,0 +1,78 @@
+import { expect, test } from 'vitest';
+import type { Variation, WhatIfAnswer } from '../api/whatIf';
+import { edited, valuesOf } from '../toml/edit';
+import { barsOf, changeText, editsOf, nameOf } from './tornadoOf';
+
+const variation = (factor: string, step: number, share: number, energy: number | null): Variation => ({
+  factor,
+  title: factor,
+  step_percent: step,
+  text: '',
+  clipped: '',
+  changes: [],
+  rocks: 10,
+  share: [0.1, 0.08, 0.12],
+  energy_J: null,
+  height_m: null,
+  velocity_m_s: null,
+  difference: {
+    gained: 1,
+    lost: 0,
+    share: [share, share - 0.01, share + 0.01],
+    energy_J: energy === null ? null : [energy, null, null],
+    height_m: null,
+    velocity_m_s: null,
+  },
+});
+
+const answer: WhatIfAnswer = {
+  rocks: 100,
+  planned: 100,
+  percentile: 95,
+  confidence: 0.95,
+  energy: 'translational',
+  base: { rocks: 10, share: [0.1, 0.08, 0.12], energy_J: null, height_m: null, velocity_m_s: null },
+  variations: [variation('friction', -10, 0.02, 500), variation('friction', 10, -0.03, -2000), variation('mass', -25, 0, null), variation('mass', 25, 0.05, 90_000)],
+};
+
+const percent = { unit: '%', per: 0.01 };
+const kilojoules = { unit: 'kJ', per: 1000 };
+
+test('a row for each factor, the largest change on top, both steps in it', () => {
+  const bars = barsOf(answer, 'share', percent);
+  expect(bars.map(({ name, other }) => [name, other?.name])).toEqual([
+    ['mass −25 %', 'mass +25 %'],
+    ['friction −10 %', 'friction +10 %'],
+  ]);
+  expect(bars[1]!.value).toBeCloseTo(2);
+  expect(bars[1]!.other!.low).toBeCloseTo(-4);
+});
+
+test('a step after which no rock crosses has no bar', () => {
+  expect(barsOf(answer, 'energy_J', kilojoules).map(({ name, other }) => [name, other?.name])).toEqual([
+    ['mass +25 %', undefined],
+    ['friction −10 %', 'friction +10 %'],
+  ]);
+  expect(changeText(null, kilojoules)).toBe('no rock crosses');
+});
+
+test('changes are written with their sign and interval', () => {
+  expect(changeText([0.042, 0.036, 0.048], percent)).toBe('+4.2 (+3.6 to +4.8) %');
+  expect(changeText([-2000, null, null], kilojoules)).toBe('−2 kJ');
+  expect(nameOf(answer.variations[0]!)).toBe('friction −10 %');
+});
+
+test('a change is an edit of the text', () => {
+  const text = '[[material]]\nname = "Wood"\nforest = "medium" # oaks\nnormal_restitution = { mean = 0.3, distribution = "normal", std_dev = 0.04 }\n';
+  const after = edited(
+    text,
+    editsOf([
+      { path: ['material', 0, 'forest'], name: 'Wood', before: 'medium', after: null },
+      { path: ['material', 0, 'forest_drag_kg_s'], name: 'Wood', before: null, after: 625 },
+      { path: ['material', 0, 'normal_restitution'], name: 'Wood', before: {}, after: { mean: 0.33, distribution: 'normal', std_dev: 0.04 } },
+    ]),
+  );
+  expect(valuesOf(after).material).toEqual([
+    { name: 'Wood', forest_drag_kg_s: 625, normal_restitution: { mean: 0.33, distribution: 'normal', std_dev: 0.04 } },
+  ]);
+});
