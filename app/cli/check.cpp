@@ -4,6 +4,7 @@
 #include "load.hpp"
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/thread_supply.hpp"
+#include "talus/layers/check_layers.hpp"
 #include "talus/model/check_releases.hpp"
 
 namespace talus::cli {
@@ -12,6 +13,7 @@ int check(const ProjectOptions& options) {
   take_available_threads();
   Loaded loaded = load(options);
   project::warn_of_buried_releases(loaded.model, loaded.warnings);
+  project::check_layers(loaded.project, loaded.model, loaded.warnings);
   print_warnings(loaded.warnings);
   if (!loaded.model.terrain_report.empty()) fmt::print("{}\n", loaded.model.terrain_report);
   if (!loaded.model.seeder_report.empty()) fmt::print("{}\n", loaded.model.seeder_report);

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "asked_runs.hpp"
+#include "drawn_layers.hpp"
 #include "events.hpp"
 #include "http/router.hpp"
 #include "http/session.hpp"
@@ -36,7 +37,7 @@ using namespace std::chrono_literals;
 // others.
 constexpr std::size_t most_threads = 500;
 
-constexpr std::size_t share_of_models = 8;  // an eighth of the memory each for models of pages and models of runs
+constexpr std::size_t share_of_models = 8;  // an eighth of the memory each for models of pages, of runs, and layers
 constexpr auto time_to_end = 1s;            // for requests in progress
 
 // The library's own settings are a backlog of five connections, and a port that another server may share.
@@ -106,6 +107,8 @@ void serve(const ServeOptions& options) {
   add_model_tile_routes(router, shelf);
   add_model_query_routes(router, shelf);
   add_line_file_routes(router, workplace, shelf, reading);
+  DrawnLayers layers(reading, usable_memory() / share_of_models);
+  add_layer_routes(router, workplace, shelf, layers, reading);
   add_shape_routes(router);
   add_verification_routes(router);
   add_page_routes(router, server, session, address);  // last: it matches every remaining path

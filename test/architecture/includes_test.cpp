@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 // Libraries of file formats belong to these rooms, and nobody else has to be built against them; nor against MPI but
 // campaign.
-const std::set<std::string> rooms_of_formats{"gdal", "import", "maps", "export"};
+const std::set<std::string> rooms_of_formats{"gdal", "import", "layers", "maps", "export"};
 constexpr std::array file_format_libraries{"gdal", "ogr", "cpl_", "proj.h", "assimp/", "httplib"};
 
 constexpr std::size_t longest_file = 450;  // lines
@@ -62,7 +62,8 @@ std::optional<std::string> objection(const std::string& folder, const Include& i
   const std::string& name = include.name;
   const bool is_of_a_format = std::any_of(file_format_libraries.begin(), file_format_libraries.end(),
                                           [&](const char* library) { return name.starts_with(library); });
-  if (is_of_a_format && !rooms_of_formats.contains(folder)) return "only gdal, import, maps and export know GDAL";
+  if (is_of_a_format && !rooms_of_formats.contains(folder))
+    return "only gdal, import, layers, maps and export know GDAL";
   if (folder != "campaign" && name == "mpi.h") return "only campaign knows MPI";
   if (name.ends_with(".hpp") && include.is_quoted && !name.starts_with("talus/"))
     return "a header of Talus is included as talus/ROOM/NAME.hpp";

@@ -136,6 +136,14 @@ report = false
 )";
 
 inline constexpr const char* inline_mesh = R"(
+[[layer]]
+name = "Roads"
+file = "roads.gpkg"
+layer = "axis"
+name_attribute = "label"
+colour = "#1f78b4"
+opacity = 0.5
+visible = false
 [analysis]
 rotation = false
 [terrain]

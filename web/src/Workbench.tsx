@@ -8,7 +8,7 @@ import { AskCard } from './askLine/AskCard';
 import { takeLineFiles } from './askLine/lineFiles';
 import { ModelPanel } from './model/ModelPanel';
 import { dimension } from './model/place';
-import { listenToDrops, takeFiles } from './model/terrainFile';
+import { listenToDrops } from './model/terrainFile';
 import { TimeBar } from './paths/TimeBar';
 import { ResultsPanel } from './results/ResultsPanel';
 import { RunsPanel } from './runs/RunsPanel';
@@ -17,6 +17,8 @@ import { SectionView } from './section/SectionView';
 import { TextPanel } from './model/TextPanel';
 import { CalibratePanel } from './calibration/CalibratePanel';
 import { takeObserved } from './calibration/observations';
+import { DropDialog } from './layers/DropDialog';
+import { hasRaster, takeDropped } from './layers/dropped';
 import { ContextMenu } from './drag/ContextMenu';
 import { TopBar } from './ui/TopBar';
 import { Tabs } from './ui/Tabs';
@@ -26,7 +28,7 @@ export function Workbench() {
   useEffect(
     () =>
       listenToDrops((list) =>
-        isAsking.peek() ? takeLineFiles(list) : sidePanel.peek() === 'calibrate' ? takeObserved(list, 'stops') : takeFiles(list),
+        isAsking.peek() && !hasRaster(list) ? takeLineFiles(list) : sidePanel.peek() === 'calibrate' ? takeObserved(list, 'stops') : takeDropped(list),
       ),
     [],
   );
@@ -66,6 +68,7 @@ export function Workbench() {
         {isAsking.value && <AskCard key={`line in ${unitSystem.value}`} />}
       </main>
       <ContextMenu />
+      <DropDialog />
       <SavingDialogs />
     </div>
   );

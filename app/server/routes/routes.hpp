@@ -11,6 +11,7 @@
 namespace talus::server {
 
 class AskedRuns;
+class DrawnLayers;
 class EventHub;
 class ProjectFiles;
 class RunModels;
@@ -38,6 +39,9 @@ void add_model_tile_routes(Router& router, const ModelShelf& shelf);
 void add_model_query_routes(Router& router, const ModelShelf& shelf);
 /// Lines and areas from vector files, in the coordinates of a model.
 void add_line_file_routes(Router& router, const Workplace& workplace, const ModelShelf& shelf, ModelReading& reading);
+/// Reference layers of a model, and contours of its terrain.
+void add_layer_routes(Router& router, const Workplace& workplace, const ModelShelf& shelf, DrawnLayers& layers,
+                      ModelReading& reading);
 /// Geometry and distributions without a model.
 void add_shape_routes(Router& router);
 void add_verification_routes(Router& router);

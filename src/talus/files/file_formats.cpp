@@ -25,6 +25,8 @@ std::string_view name_of(FileKind kind) {
   switch (kind) {
     case FileKind::raster:
       return "raster";
+    case FileKind::picture:
+      return "picture";
     case FileKind::mesh:
       return "mesh";
     case FileKind::point_text:

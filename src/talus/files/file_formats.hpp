@@ -8,7 +8,8 @@
 
 namespace talus {
 
-enum class FileKind { raster, mesh, point_text, las, vector };
+/// A picture is a raster that is drawn only, without elevations.
+enum class FileKind { raster, picture, mesh, point_text, las, vector };
 
 struct FileFormat {
   std::string_view ending;  // in lower case
@@ -27,7 +28,8 @@ inline constexpr std::array file_formats{
     FileFormat{".laz", FileKind::las},  // refused with the command that unpacks it
     FileFormat{".dxf", FileKind::vector},     FileFormat{".shp", FileKind::vector},
     FileFormat{".gpkg", FileKind::vector},    FileFormat{".geojson", FileKind::vector},
-    FileFormat{".json", FileKind::vector},
+    FileFormat{".json", FileKind::vector},    FileFormat{".png", FileKind::picture},
+    FileFormat{".jpg", FileKind::picture},    FileFormat{".jpeg", FileKind::picture},
 };
 
 /// The extension in lower case, with its dot; empty if there is none.
@@ -37,7 +39,7 @@ inline constexpr std::array file_formats{
 [[nodiscard]] const FileFormat* format_of(const std::filesystem::path& file);
 [[nodiscard]] bool is_of_kind(const std::filesystem::path& file, FileKind kind);
 
-/// What the workbench calls a kind: "raster", "mesh", "points" (text and LAS) or "vector".
+/// What the workbench calls a kind: "raster", "picture", "mesh", "points" (text and LAS) or "vector".
 [[nodiscard]] std::string_view name_of(FileKind kind);
 
 /// For messages: ".obj, .stl or .ply".

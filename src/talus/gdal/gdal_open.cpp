@@ -71,6 +71,12 @@ std::vector<const char*> drivers_that_read(GdalKind kind) {
   return drivers;
 }
 
+std::string format_of_file(GdalKind kind, GdalMessages& messages, RasterProblems& problems) {
+  expect_file(problems);
+  messages.files().add(problems.file());
+  return driver_of(name_for_gdal(problems.file()), kind);
+}
+
 GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, RasterProblems& problems,
                                     const char* const* options) {
   expect_file(problems);
@@ -78,17 +84,17 @@ GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, Raste
   const std::string name = name_for_gdal(problems.file());
   if (const auto fault = fault_of_proj(messages)) problems.stop(fault->what, fault->why, fault->hint);
   (void)failure_of_disk();
-  if (kind == GdalKind::raster && driver_of_raster(name) == "VRT") bring_sources_into_reach(messages, problems);
+  if (driver_of(name, kind) == "VRT") bring_sources_into_reach(messages, problems, kind);
   messages.clear();
   const unsigned flags = GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR |
-                         (kind == GdalKind::raster ? unsigned{GDAL_OF_RASTER} : unsigned{GDAL_OF_VECTOR});
+                         (kind == GdalKind::vector ? unsigned{GDAL_OF_VECTOR} : unsigned{GDAL_OF_RASTER});
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), flags, drivers_that_read(kind).data(), options, nullptr));
   stop_point();  // an interruption is not an error in the file
   expect_all_opened(problems);
   if (dataset) return dataset;
   const std::string element = first_element(name);
-  problems.stop(kind == GdalKind::raster ? "is not a raster that Talus reads" : "is not a vector file that Talus reads",
+  problems.stop(kind == GdalKind::vector ? "is not a vector file that Talus reads" : "is not a raster that Talus reads",
                 element.empty() ? messages.failure() : fmt::format("it begins with {}", element),
                 fmt::format("Talus reads {}", names_of_formats(kind)));
 }

@@ -16,6 +16,10 @@ namespace talus {
 [[nodiscard]] GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, RasterProblems& problems,
                                                   const char* const* options = nullptr);
 
+/// GDAL's name for the format of a file, which is added to the reach of `messages`; empty if Talus does not read it as
+/// this kind. Throws BadInput if there is no such file.
+[[nodiscard]] std::string format_of_file(GdalKind kind, GdalMessages& messages, RasterProblems& problems);
+
 /// The name of a file in a form that GDAL cannot mistake: it might read the part before a colon as a format.
 [[nodiscard]] std::string name_for_gdal(const std::filesystem::path& file);
 

@@ -85,10 +85,10 @@ std::string RasterProblems::command(std::string_view before, std::string_view en
   return fmt::format("{} {} {}", before, shell_word(file_.string()), shell_word(made.string()));
 }
 
-GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problems) {
+GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problems, GdalKind kind) {
   GDALDatasetUniquePtr dataset;
   try {
-    dataset = open_with_gdal(GdalKind::raster, messages, problems);
+    dataset = open_with_gdal(kind, messages, problems);
   } catch (const BadInput&) {
     if (is_ascii_grid(problems.file())) check_ascii_grid(problems.file(), GridNumbers::real);
     throw;

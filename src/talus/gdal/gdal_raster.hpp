@@ -10,6 +10,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/gdal/gdal_files.hpp"
+#include "talus/gdal/gdal_start.hpp"
 
 namespace talus {
 
@@ -64,7 +65,8 @@ class RasterProblems {
 };
 
 /// Opens a raster with at least one band for reading. Throws BadInput.
-[[nodiscard]] GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problems);
+[[nodiscard]] GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problems,
+                                               GdalKind kind = GdalKind::raster);
 
 /// Warns if a raster has several bands, of which only the first is read; a mask does not count.
 void warn_of_further_bands(GDALDataset& dataset, RasterProblems& problems);

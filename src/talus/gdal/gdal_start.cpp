@@ -18,11 +18,14 @@ namespace talus {
 
 namespace {
 
-constexpr std::array<GdalFormat, 5> rasters{{{"GTiff", "GeoTIFF"},
-                                             {"AAIGrid", "Esri ASCII grid (.asc)"},
-                                             {"EHdr", "Esri float grid (.flt, .bil)"},
-                                             {"HFA", "Erdas Imagine (.img)"},
-                                             {"VRT", "VRT"}}};
+constexpr std::array<GdalFormat, 7> pictures{{{"PNG", "PNG"},
+                                              {"JPEG", "JPEG"},
+                                              {"GTiff", "GeoTIFF"},
+                                              {"AAIGrid", "Esri ASCII grid (.asc)"},
+                                              {"EHdr", "Esri float grid (.flt, .bil)"},
+                                              {"HFA", "Erdas Imagine (.img)"},
+                                              {"VRT", "VRT"}}};
+constexpr std::span<const GdalFormat> rasters = std::span<const GdalFormat>(pictures).subspan(2);
 constexpr std::array<GdalFormat, 5> vectors{
     {{"GPKG", "GeoPackage"}, {"ESRI Shapefile", "Shapefile"}, {"GeoJSON", "GeoJSON"}, {"DXF", "DXF"}, {"CSV", "CSV"}}};
 
@@ -65,6 +68,9 @@ void begin() {
   GDALRegister_AAIGrid();
   GDALRegister_EHdr();
   GDALRegister_HFA();
+  GDALRegister_PNG();
+  GDALRegister_JPEG();
+  GDALRegister_MEM();
   RegisterOGRGeoPackage();
   RegisterOGRShape();
   RegisterOGRGeoJSON();
@@ -75,7 +81,15 @@ void begin() {
 }  // namespace
 
 std::span<const GdalFormat> formats_read(GdalKind kind) {
-  return kind == GdalKind::raster ? std::span<const GdalFormat>(rasters) : std::span<const GdalFormat>(vectors);
+  switch (kind) {
+    case GdalKind::raster:
+      return rasters;
+    case GdalKind::picture:
+      return pictures;
+    case GdalKind::vector:
+      break;
+  }
+  return vectors;
 }
 
 std::string names_of_formats(GdalKind kind) {

@@ -7,7 +7,8 @@
 
 namespace talus {
 
-enum class GdalKind { raster, vector };
+/// A picture is a raster that may also be of a format without elevations (PNG, JPEG).
+enum class GdalKind { raster, picture, vector };
 
 /// A format that Talus reads. A file's contents decide its format.
 struct GdalFormat {
@@ -20,7 +21,7 @@ struct GdalFormat {
 [[nodiscard]] std::string names_of_formats(GdalKind kind);
 
 /// Must be called before GDAL is used; later calls do nothing. Registers only the drivers of the formats above and the
-/// one that writes maps (COG), whatever plugins and settings the machine has. Descriptions of data elsewhere (WMS, WFS,
+/// those that write maps (COG) or rasters in memory (MEM), whatever plugins and settings the machine has. Descriptions of data elsewhere (WMS, WFS,
 /// OGR's virtual layers, databases) are not read, not even if another file refers to them. GDAL and PROJ do not use the
 /// network.
 void start_gdal();

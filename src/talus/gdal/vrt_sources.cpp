@@ -38,7 +38,8 @@ bool is_below(const fs::path& folder, const fs::path& file) {
 
 class SourceFinder {
  public:
-  SourceFinder(GdalMessages& messages, RasterProblems& problems) : messages_(messages), problems_(problems) {}
+  SourceFinder(GdalMessages& messages, RasterProblems& problems, GdalKind kind)
+      : messages_(messages), problems_(problems), kind_(kind) {}
 
   /// `via`: the chain of references to this VRT, for messages: `refers to "a.vrt", which `.
   void add_sources(const fs::path& vrt, const std::string& via) {
@@ -88,7 +89,7 @@ class SourceFinder {
     const auto why = is_name_of_gdal(vrt.string()) ? fault_in_archive(vrt, place) : fault_on_disk(vrt, place);
     if (!why.empty()) refuse(reference, why);
     messages_.files().add(place);
-    const std::string driver = driver_of_raster(place.string());
+    const std::string driver = driver_of(place.string(), kind_);
     if (driver.empty()) refuse(reference, "that is not a raster that Talus reads");
     if (driver == "VRT") add_sources(place, reference + ", which ");
   }
@@ -115,19 +116,21 @@ class SourceFinder {
 
   GdalMessages& messages_;
   RasterProblems& problems_;
+  GdalKind kind_;
   std::set<std::string> seen_;
 };
 
 }  // namespace
 
-std::string driver_of_raster(const std::string& name) {
-  const auto drivers = drivers_that_read(GdalKind::raster);
-  GDALDriverH driver = GDALIdentifyDriverEx(name.c_str(), GDAL_OF_RASTER, drivers.data(), nullptr);
+std::string driver_of(const std::string& name, GdalKind kind) {
+  const auto drivers = drivers_that_read(kind);
+  const unsigned flags = kind == GdalKind::vector ? unsigned{GDAL_OF_VECTOR} : unsigned{GDAL_OF_RASTER};
+  GDALDriverH driver = GDALIdentifyDriverEx(name.c_str(), flags, drivers.data(), nullptr);
   return driver != nullptr ? GDALGetDriverShortName(driver) : "";
 }
 
-void bring_sources_into_reach(GdalMessages& messages, RasterProblems& problems) {
-  SourceFinder(messages, problems).add_sources(name_for_gdal(problems.file()), "");
+void bring_sources_into_reach(GdalMessages& messages, RasterProblems& problems, GdalKind kind) {
+  SourceFinder(messages, problems, kind).add_sources(name_for_gdal(problems.file()), "");
 }
 
 }  // namespace talus

@@ -3,6 +3,7 @@
 // with GDAL.
 
 #include "talus/gdal/gdal_raster.hpp"
+#include "talus/gdal/gdal_start.hpp"
 
 namespace talus {
 
@@ -10,9 +11,9 @@ namespace talus {
 /// Talus reads, in the VRT's own folder or below it, and may be VRTs themselves. Refuses a VRT that refers to anything
 /// else: an address, a file elsewhere (also by a link), bytes of a file that is not a raster, a computation.
 /// `problems` is that of the VRT, which is in reach already. Throws BadInput.
-void bring_sources_into_reach(GdalMessages& messages, RasterProblems& problems);
+void bring_sources_into_reach(GdalMessages& messages, RasterProblems& problems, GdalKind kind);
 
-/// GDAL's name for the format of a raster in reach, from its first bytes; empty if Talus does not read it.
-[[nodiscard]] std::string driver_of_raster(const std::string& name);
+/// GDAL's name for the format of a file in reach, from its first bytes; empty if Talus does not read it as this kind.
+[[nodiscard]] std::string driver_of(const std::string& name, GdalKind kind);
 
 }  // namespace talus

@@ -7,6 +7,8 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <string_view>
 
 #include "talus/core/stop.hpp"
@@ -96,6 +98,48 @@ void warn_of_unknown_crs(const OGRSpatialReference* crs, const GdalMessages& mes
                 "Assign the right one: " + ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg"));
 }
 
+/// The rectangle of the request in the coordinates of the file, a little larger; nullopt if it has no place there.
+std::optional<OGREnvelope> rectangle_in_file(const VectorRequest& request, const OGRSpatialReference* crs) {
+  const auto [low, high] = *request.within;
+  OGREnvelope found;
+  found.MinX = low.x(), found.MinY = low.y(), found.MaxX = high.x(), found.MaxY = high.y();
+  if (crs && !request.terrain_crs_wkt.empty()) {
+    OGRSpatialReference terrain, file = *crs;
+    terrain.importFromWkt(request.terrain_crs_wkt.c_str());
+    terrain.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    for (OGRSpatialReference* one : {&terrain, &file}) {
+      if (one->IsCompound()) one->StripVertical();
+      one->DemoteTo2D(nullptr);
+    }
+    constexpr int points_of_side = 21;
+    const std::unique_ptr<OGRCoordinateTransformation> change(OGRCreateCoordinateTransformation(&terrain, &file));
+    if (!change || !change->TransformBounds(low.x(), low.y(), high.x(), high.y(), &found.MinX, &found.MinY, &found.MaxX,
+                                            &found.MaxY, points_of_side))
+      return std::nullopt;
+  }
+  const double margin = 0.01 * std::max(found.MaxX - found.MinX, found.MaxY - found.MinY);
+  found.MinX -= margin, found.MinY -= margin, found.MaxX += margin, found.MaxY += margin;
+  return found;
+}
+
+[[noreturn]] void refuse_elsewhere(OGRLayer& layer, const VectorRequest& request, const VectorLayer& read,
+                                   RasterProblems& problems) {
+  const auto in_words = [](double x0, double y0, double x1, double y1) {
+    return fmt::format("x {:.10g} to {:.10g}, y {:.10g} to {:.10g}", x0, x1, y0, y1);
+  };
+  layer.SetSpatialFilter(nullptr);
+  OGREnvelope whole;
+  const bool has_extent = layer.GetExtent(&whole, TRUE) == OGRERR_NONE;
+  const auto [low, high] = *request.within;
+  problems.stop(
+      "does not lie over the terrain",
+      fmt::format("it covers {}{}; the terrain {}",
+                  has_extent ? in_words(whole.MinX, whole.MinY, whole.MaxX, whole.MaxY) : "another area",
+                  read.crs_name.empty() ? "" : " in " + read.crs_name, in_words(low.x(), low.y(), high.x(), high.y())),
+      read.crs_name.empty() || request.terrain_crs_wkt.empty() ? "Assign its coordinate system, and that of the terrain"
+                                                               : "Is its coordinate system the right one?");
+}
+
 /// `entities` is null if the file is not a DXF.
 void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities* entities, VectorShapes& shapes,
                    VectorLayer& read, GdalMessages& messages, RasterProblems& problems) {
@@ -179,6 +223,17 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
   warn_of_unknown_crs(crs, messages, problems);
   VectorShapes shapes(request, crs, entities.has_value(), problems);
   problems.throw_if_any();
+  if (request.within) {
+    const auto rectangle = rectangle_in_file(request, crs);
+    if (rectangle) layer.SetSpatialFilterRect(rectangle->MinX, rectangle->MinY, rectangle->MaxX, rectangle->MaxY);
+    layer.ResetReading();
+    if (!rectangle || !OGRFeatureUniquePtr(layer.GetNextFeature())) {
+      layer.SetSpatialFilter(nullptr);
+      layer.ResetReading();
+      // An empty layer is refused below.
+      if (OGRFeatureUniquePtr(layer.GetNextFeature())) refuse_elsewhere(layer, request, read, problems);
+    }
+  }
   read_features(layer, columns, entities ? &*entities : nullptr, shapes, read, messages, problems);
   warnings.append(problems.warnings());
   return read;

@@ -2,6 +2,7 @@
 // Points, lines and polygons from a vector file: one layer of a GeoPackage, Shapefile, GeoJSON, DXF or CSV with
 // coordinates, transformed to the coordinate system of the terrain.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -43,6 +44,9 @@ struct VectorRequest {
   /// The coordinate system of the terrain as WKT; empty: not known. Features are transformed to it vertex by vertex (z
   /// is kept). If it or that of the file is not known, both are assumed to be the same.
   std::string terrain_crs_wkt;
+  /// Only features that touch this rectangle, or almost: its lowest and its highest corner, in the coordinates of the
+  /// terrain. A file with a spatial index does not even read the others.
+  std::optional<std::array<Vec2, 2>> within{};
   /// If given, chooses the attributes to be read from all that the layer has, instead of `attributes`.
   std::function<std::vector<std::string>(const std::vector<std::string>& names)> choose{};
 };

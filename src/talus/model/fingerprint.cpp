@@ -153,7 +153,7 @@ std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& m
   Checksum checksum;
   ByteWriter out([&](std::string_view piece) { checksum.add(piece); });
   out.put(paths_revision);
-  out.text(without_title_block(project).dump());
+  out.text(without_presentation(project).dump());
   put(out, model.frame.origin);
   out.count(model.surface.index());
   std::visit([&](const auto& surface) { put(out, surface); }, model.surface);

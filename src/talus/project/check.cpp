@@ -72,6 +72,7 @@ class Rules {
     check_design();
     check_output();
     check_logo();
+    check_layers();
   }
 
  private:
@@ -347,6 +348,25 @@ class Rules {
     if (why.empty()) return;
     report(node, "[report]", fmt::format("logo is {}", quoted(*node)), std::move(why),
            "Name a PNG or JPEG picture; the path is relative to the project file");
+  }
+
+  /// Their files are checked where they are drawn, and by `talus check`: a run does without them.
+  void check_layers() {
+    const auto list = rows("layer");
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < project_.layers.size(); ++i) {
+      names.push_back(project_.layers[i].name);
+      const Node colour = accepted(list[i], "colour");
+      if (!colour || is_colour(project_.layers[i].colour)) continue;
+      report(colour, name_of_row(project::table("layer"), *list[i], i), fmt::format("colour is {}", quoted(*colour)),
+             "expected red, green and blue as hexadecimal numbers: \"#d95f02\"");
+    }
+    check_unique("layers", list, names);
+  }
+
+  static bool is_colour(std::string_view text) {
+    return text.size() == 7 && text.front() == '#' &&
+           text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
   }
 
   void check_output() {

@@ -162,10 +162,10 @@ Json echo(const Project& project) {
   return out;
 }
 
-Json without_title_block(const Json& echo) {
+Json without_presentation(const Json& echo) {
   Json rest = Json::object();
   for (const auto& [key, value] : echo.items()) {
-    if (key != "report") rest[key] = value;
+    if (key != "report" && key != "layer") rest[key] = value;
   }
   return rest;
 }

@@ -14,8 +14,8 @@ namespace talus::project {
 /// lacks, is the string "inf". Numbers are preserved bit for bit.
 [[nodiscard]] nlohmann::ordered_json echo(const Project& project);
 
-/// An echo without [report], which changes no result.
-[[nodiscard]] nlohmann::ordered_json without_title_block(const nlohmann::ordered_json& echo);
+/// An echo without [report] and [[layer]], which change no result.
+[[nodiscard]] nlohmann::ordered_json without_presentation(const nlohmann::ordered_json& echo);
 
 /// An echoed project as the text of a file, which reads back as the same project.
 [[nodiscard]] std::string text_of_echo(const nlohmann::ordered_json& echoed);

@@ -270,6 +270,17 @@ struct TitleBlock {
   Paper paper = Paper::a4;
 };
 
+/// [[layer]]: a raster or vector file that is drawn over the terrain for reference. It changes no result.
+struct Layer {
+  std::string name;            // default: the file's name without its ending
+  std::filesystem::path file;  // as written in the file, relative to the project file
+  std::string layer;           // of a vector file
+  std::string name_attribute;  // of its features; empty: `name`, if there is one
+  std::string colour = "#d95f02";
+  double opacity = 1;
+  bool visible = true;
+};
+
 /// The text that a project was read from.
 struct ProjectText {
   std::uint64_t bytes = 0;
@@ -283,6 +294,9 @@ struct NamedFile {
   int line = 0;                // 0 in an option
   std::string where, key;      // the row as named in problems, for example "[terrain]", and its key
   std::string path;            // of the setting: `terrain.raster`
+
+  /// Whether it is drawn only, and no input of results.
+  [[nodiscard]] bool is_layer() const { return path.starts_with("layer."); }
 };
 
 struct Project {
@@ -301,6 +315,7 @@ struct Project {
   std::optional<Design> design;  // nullopt: no barrier is designed
   Output output;
   TitleBlock title_block;
+  std::vector<Layer> layers;
   std::vector<NamedFile> named_files;
 
   [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }

@@ -33,6 +33,9 @@ void name_unnamed(Named& item, std::string_view kind, std::size_t index) {
 /// Sets the defaults that depend on other values.
 void complete(Project& project) {
   if (project.name.empty()) project.name = as_utf8(project.file.stem().string());
+  for (Layer& layer : project.layers) {
+    if (layer.name.empty()) layer.name = as_utf8(layer.file.stem().string());
+  }
   // If segments or triangles assign every material, the default is not used and any material will do.
   if (project.ground.default_material.empty() && !project.materials.empty()) {
     project.ground.default_material = project.materials.front().name;

@@ -90,7 +90,7 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> list{head_table(),     analysis_table(),  sampling_table(), terrain_table(),
                                        material_table(), ground_table(),    area_table(),     seeder_table(),
                                        barrier_table(),  collector_table(), kit_table(),      design_table(),
-                                       output_table(),   report_table()};
+                                       output_table(),   report_table(),    layer_table()};
   return list;
 }
 

@@ -114,7 +114,7 @@ class RowElsewhere {
 
 /// One row of a table: the struct that its settings are members of.
 using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*, Kit*,
-                         Design*, Output*, TitleBlock*, Distribution*, RowElsewhere>;
+                         Design*, Output*, TitleBlock*, Layer*, Distribution*, RowElsewhere>;
 
 /// A condition on another setting: of the same row (its key), or of a table with one row ("terrain.raster").
 struct Condition {

@@ -100,7 +100,7 @@ RunInputs inputs_of(const RunDescription& description) {
 
 std::optional<std::string> difference_of_inputs(const RunInputs& then, const RunInputs& now) {
   const std::vector<std::string> settings =
-      changed_settings(without_title_block(then.project), without_title_block(now.project));
+      changed_settings(without_presentation(then.project), without_presentation(now.project));
   if (!settings.empty()) return fmt::format("{}", fmt::join(settings, "; "));
   if (then.fingerprint == now.fingerprint) return std::nullopt;
   if (then.paths_revision != now.paths_revision) {

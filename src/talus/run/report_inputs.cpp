@@ -30,6 +30,7 @@ std::vector<InputFile> input_files(const Project& project) {
       {as_utf8(project.file.filename().string()), project.source.bytes, project.source.sha256}};
   const fs::path folder = project.file.parent_path();
   for (const NamedFile& named : project.named_files) {
+    if (named.is_layer()) continue;
     for (const fs::path& file : files_read_with(folder / named.file)) {
       std::string name = as_utf8(name_of_input(folder, named.file, file).string());
       if (std::ranges::any_of(files, [&](const InputFile& known) { return known.name == name; })) continue;

@@ -4,6 +4,7 @@ import type { Page } from '@playwright/test';
 import { readFileSync } from 'node:fs';
 import { computeWith, fillField, openExample, openForm, runCard, runIsShown } from '../support/steps';
 import { cellsOf, rowsOf } from '../support/table';
+import { pixelsLike, type Rgb } from '../support/pixels';
 import { expect, test } from '../support/workbench';
 
 /// Opens an example with 50 rocks, and compares it with a run of 300 rocks with a higher restitution.
@@ -62,32 +63,6 @@ test('the comparison with box plots and barriers fits into 1366 pixels', async (
   expect(names).toEqual(['Line at 15 m: Lively', 'Line at 15 m: Tutorial 1, extruded']);
   expect(await collectors.evaluate(isCutOff)).toBe(false);
 });
-
-type Rgb = [number, number, number];
-
-/// The number of pixels of the view near each colour.
-async function pixelsLike(page: Page, colours: Rgb[]): Promise<number[]> {
-  const picture = await page.locator('.picture canvas').first().screenshot();
-  // On a separate page: the workbench's security policy forbids data URLs.
-  const reader = await page.context().newPage();
-  const counts = await reader.evaluate(
-    async ([bytes, wanted]) => {
-      const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${bytes}`)).blob());
-      const pen = new OffscreenCanvas(image.width, image.height).getContext('2d')!;
-      pen.drawImage(image, 0, 0);
-      const { data } = pen.getImageData(0, 0, image.width, image.height);
-      return wanted.map(([r, g, b]) => {
-        let found = 0;
-        for (let k = 0; k < data.length; k += 4)
-          if (Math.hypot(data[k]! - r, data[k + 1]! - g, data[k + 2]! - b) < 40) ++found;
-        return found;
-      });
-    },
-    [picture.toString('base64'), colours] as const,
-  );
-  await reader.close();
-  return counts;
-}
 
 test('trajectories of two compared runs have two colours', async ({ workbench: page }) => {
   await page.emulateMedia({ colorScheme: 'light' });

@@ -63,6 +63,9 @@ export async function getJson<T>(path: string, signal?: AbortSignal): Promise<T>
 export async function getText(path: string, signal?: AbortSignal): Promise<string> {
   return (await ask('GET', path, undefined, signal)).text();
 }
+export async function getBlob(path: string, signal?: AbortSignal): Promise<Blob> {
+  return (await ask('GET', path, undefined, signal)).blob();
+}
 export async function sendJson<T>(method: 'POST' | 'PUT' | 'PATCH', path: string, body: unknown, signal?: AbortSignal) {
   return (await ask(method, path, body, signal)).json() as Promise<T>;
 }

@@ -45,7 +45,7 @@ export interface LibraryMaterial {
   sources: LibrarySource[];
 }
 
-export type FileKind = 'project' | 'study' | 'materials' | 'raster' | 'mesh' | 'points' | 'vector' | 'other';
+export type FileKind = 'project' | 'study' | 'materials' | 'raster' | 'picture' | 'mesh' | 'points' | 'vector' | 'other';
 export interface FolderFile {
   name: string;
   bytes: number;

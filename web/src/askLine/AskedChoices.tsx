@@ -3,12 +3,18 @@
 import { useRef } from 'preact/hooks';
 import { dimension } from '../model/place';
 import { chosenFiles } from '../model/files';
+import { TypedInput } from '../model/form/TypedInput';
+import { ofProject } from '../state/ofProject';
 import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
 import { shownPaths } from '../paths/drawnPaths';
 import { ask, asked } from './asked';
 import { drawAsked, isDrawing, lineOfBarrier } from './askTools';
+import { isTaking, takeFromMap, vectorLayers } from './fromMap';
 import { takeLineFiles } from './lineFiles';
+
+/// Of the contour to take; null: that of the place.
+const elevation = ofProject<number | null>(null);
 
 /// A barrier that the run had is asked for its own hits; another one is asked as a line.
 function askBarrier(name: string) {
@@ -45,6 +51,28 @@ export function AskedChoices() {
             onChange={(event) => void takeLineFiles(chosenFiles(event.currentTarget)).catch(reportFailure)}
           />
         </>
+      )}
+      {!is2d && vectorLayers().length > 0 && (
+        <button class="button" title="A road or another line of a reference layer: click it in the view" aria-pressed={isTaking('layer')} onClick={() => takeFromMap('layer')}>
+          From a layer
+        </button>
+      )}
+      {!is2d && (
+        <button class="button" title="The contour through a place: click it in the view" aria-pressed={isTaking('contour')} onClick={() => takeFromMap('contour', () => elevation.peek() ?? undefined)}>
+          A contour
+        </button>
+      )}
+      {isTaking('contour') && (
+        <label class="asked-elevation">
+          at
+          <TypedInput
+            label="Elevation of the contour"
+            placeholder="of the place"
+            value={elevation.value ?? undefined}
+            take={(value) => (elevation.value = typeof value === 'number' ? value : null)}
+          />
+          m
+        </label>
       )}
       {barriers.length > 0 && (
         <select

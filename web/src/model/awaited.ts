@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import type { Problem } from '../api/types';
 import { values } from '../state/document';
-import { problems, problemsAt } from '../state/model';
+import { layerProblems, problems, problemsAt } from '../state/model';
 import { pathOf, type Path } from './names';
 import { columnsAt } from './columns';
 import { pathText } from './place';
@@ -26,7 +26,7 @@ const isAwaited = (problem: Problem, keys: string[]) =>
 /// The engine's problems, except those covered by next steps.
 export const realProblems = computed<Problem[]>(() => {
   const keys = nextSteps(values.value).map(({ key }) => key as string);
-  return problems.value.filter((problem) => !isAwaited(problem, keys));
+  return [...problems.value.filter((problem) => !isAwaited(problem, keys)), ...layerProblems.value];
 });
 
 /// The problems at a path or below it.

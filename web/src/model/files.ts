@@ -40,8 +40,10 @@ const kinds: Partial<Record<Name, FileKind[]>> = {
   file: ['points'],
 };
 
-export function fittingFiles(key: Name, list: readonly FolderFile[]): FolderFile[] {
-  const wanted = kinds[key];
+const kindsOfLayers: FileKind[] = ['raster', 'picture', 'vector'];
+
+export function fittingFiles(key: Name, list: readonly FolderFile[], table = ''): FolderFile[] {
+  const wanted = table === 'layer' ? kindsOfLayers : kinds[key];
   return list.filter(({ kind }) => (wanted ? wanted.includes(kind) : kind !== 'project' && kind !== 'materials'));
 }
 
@@ -95,7 +97,7 @@ export async function uploadFiles(project: string, list: readonly File[]): Promi
 }
 
 /// The one of several uploaded files that a setting names: the .shp of a Shapefile, not its .dbf.
-export function fittingName(key: Name, names: readonly string[], list: readonly FolderFile[]): string | undefined {
-  const fitting = new Set(fittingFiles(key, list).map(({ name }) => name.split('/').at(-1)));
+export function fittingName(key: Name, names: readonly string[], list: readonly FolderFile[], table = ''): string | undefined {
+  const fitting = new Set(fittingFiles(key, list, table).map(({ name }) => name.split('/').at(-1)));
   return names.find((name) => fitting.has(name)) ?? names[0];
 }

@@ -26,6 +26,7 @@ export const sections: Section[] = [
       { key: 'collector', one: 'collector' },
     ],
   },
+  { name: 'layer', title: 'Reference layers', tables: [], lists: [{ key: 'layer', one: 'layer', only3d: true }] },
   { name: 'sampling', title: 'Sampling', tables: ['sampling'], lists: [] },
   { name: 'output', title: 'Output', tables: ['output'], lists: [] },
   { name: 'report', title: 'Title block of the report', tables: ['report'], lists: [] },

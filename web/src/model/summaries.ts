@@ -77,6 +77,8 @@ export function summaryOf(key: TableName, index?: number): string {
     case 'barrier':
     case 'collector':
       return barrier(key, row);
+    case 'layer':
+      return valueText(row.file) || 'no file yet';
     case 'kit':
       return row.mel_kJ === undefined ? '' : `${valueText(row.mel_kJ)} kJ`;
     case 'sampling':

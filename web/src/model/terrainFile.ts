@@ -12,7 +12,7 @@ import type { KeyOf } from './names';
 
 /// What a file can be, the likeliest terrain first: the kind and the key of the terrain. A vector file is as often
 /// something else, an area of the ground or a place where rocks start; a drawing is not.
-const terrains: Record<FileKind | 'drawing', { kind: string; key: KeyOf<'terrain'> }> = {
+const terrains: Record<Exclude<FileKind, 'picture'> | 'drawing', { kind: string; key: KeyOf<'terrain'> }> = {
   raster: { kind: 'raster', key: 'raster' },
   mesh: { kind: 'mesh', key: 'mesh' },
   points: { kind: 'survey', key: 'points' },
@@ -22,7 +22,8 @@ const terrains: Record<FileKind | 'drawing', { kind: string; key: KeyOf<'terrain
 
 function kindOfFile(name: string): keyof typeof terrains | null {
   const format = fileFormats.find(({ ending }) => name.toLowerCase().endsWith(ending));
-  return format?.ending === '.dxf' ? 'drawing' : (format?.kind ?? null);
+  if (format?.ending === '.dxf') return 'drawing';
+  return !format || format.kind === 'picture' ? null : format.kind;
 }
 
 /// The kind of terrain and the key for a file, by its name; null if it cannot be a terrain.
@@ -52,7 +53,11 @@ export async function takeFiles(list: readonly File[]) {
   const project = file.value;
   if (project === null) return;
   const uploaded = await uploadFiles(project, list);
-  if (file.value !== project) return;
+  if (file.value === project) takeTerrain(uploaded);
+}
+
+/// The one of uploaded files that can be a terrain becomes the terrain.
+export function takeTerrain(uploaded: readonly string[]) {
   const hasTerrain = kindOf(tableAt(['terrain'])) !== undefined;
   const taken = terrainAmong(hasTerrain ? uploaded.filter((name) => kindOfFile(name) !== 'vector') : uploaded);
   if (taken) {

@@ -16,6 +16,7 @@ const words: Partial<Record<TableName, string>> = {
   barrier: 'Barrier',
   collector: 'Collector',
   kit: 'Kit',
+  layer: 'Layer',
 };
 const family = (key: TableName): TableName[] => (key === 'barrier' || key === 'collector' ? ['barrier', 'collector'] : [key]);
 

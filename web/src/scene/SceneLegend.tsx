@@ -2,6 +2,7 @@
 
 import { sourceLegends } from '../askLine/sources';
 import { observedLegends } from '../calibration/observations';
+import { layerLegends } from '../layers/layers';
 import { mapLegends } from '../maps/mapLegends';
 import { shownMap } from '../maps/shownMap';
 import { pathLegends } from '../paths/pathLegends';
@@ -30,6 +31,6 @@ function groundLegends(): LegendData[] {
   }
 }
 
-export const sceneLegends = (): LegendData[] => [...pathLegends(), ...sourceLegends(), ...observedLegends(), ...mapLegends(), ...groundLegends()];
+export const sceneLegends = (): LegendData[] => [...pathLegends(), ...sourceLegends(), ...observedLegends(), ...mapLegends(), ...layerLegends(), ...groundLegends()];
 
 export const SceneLegend = () => <Legends list={sceneLegends()} />;

@@ -85,12 +85,15 @@ void main() {
   result = vec4(mix(colour, vec3(1.0), rim), 1.0 - smoothstep(edge - ratio, edge, r));
 }`;
 
+const numbersOf = (points: readonly Vector3[] | Float32Array) =>
+  points instanceof Float32Array ? points : new Float32Array(points.flatMap((point) => point.toArray()));
+
 /// Discs with a white rim, small enough not to overlap.
-export function dots(points: Vector3[], { colour, size, above, shape = 'disc' }: Look): Object3D {
+export function dots(points: readonly Vector3[] | Float32Array, { colour, size, above, shape = 'disc' }: Look): Object3D {
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flatMap((point) => point.toArray())), 3));
+  geometry.setAttribute('position', new BufferAttribute(numbersOf(points), 3));
   const { r, g, b } = new Color(colour).convertLinearToSRGB();
-  const spacing = above ? Infinity : meanSpacing(points.map(({ x, y }) => [x, y]));
+  const spacing = above || points instanceof Float32Array ? Infinity : meanSpacing(points.map(({ x, y }) => [x, y]));
   const material = new ShaderMaterial({
     glslVersion: GLSL3,
     vertexShader: dotVertex,
@@ -118,10 +121,10 @@ export function dots(points: Vector3[], { colour, size, above, shape = 'disc' }:
 }
 
 /// Separate line segments, two points each, drawn in one call.
-function pieces(points: Vector3[], { colour, size }: Look): Object3D {
+export function pieces(points: readonly Vector3[] | Float32Array, { colour, size }: Look, opacity = 1): Object3D {
   const geometry = new LineSegmentsGeometry();
-  geometry.setPositions(points.flatMap((point) => point.toArray()));
-  const material = new LineMaterial({ color: new Color(colour), linewidth: size, transparent: true });
+  geometry.setPositions(numbersOf(points));
+  const material = new LineMaterial({ color: new Color(colour), linewidth: size, transparent: true, opacity });
   const made = new LineSegments2(geometry, material);
   made.renderOrder = 5;
   made.frustumCulled = false;

@@ -23,7 +23,7 @@ import { look, namedViews, type NamedView } from './namedViews';
 import { mapTexture } from './mapTexture';
 import * as picture from './picture';
 import { Stage } from './stage';
-import { TerrainMaterial } from './terrainMaterial';
+import { TerrainMaterial, type DrapedPicture } from './terrainMaterial';
 import type { Terrain } from './terrain';
 import { MeshTile } from './meshTile';
 import { Tile, type TileHeader } from './tile';
@@ -54,6 +54,9 @@ export class ModelScene {
   /// Boxes of the page over the picture.
   private over: Box[] = [];
   private standing: Vector3[] = [];
+  /// Of features of layers.
+  layerNames: Name[] = [];
+  private pictures: readonly DrapedPicture[] = [];
   private seederNames: Name[] = [];
   private barrierNames: Name[] = [];
   /// Called when the frame or the terrain changes.
@@ -149,6 +152,7 @@ export class ModelScene {
     picture.elevations.value = [next.bounds.min[2], next.bounds.max[2]];
     this.paint();
     this.drape();
+    material.drape(this.pictures);
     if (isOtherProject) this.view('oblique');
     else {
       // The same project: the camera stays.
@@ -187,6 +191,18 @@ export class ModelScene {
     this.stage.invalidate();
   }
 
+  /// Drapes pictures of layers over the terrain, the lowest first.
+  drapePictures(list: readonly DrapedPicture[]) {
+    this.pictures = list;
+    this.material?.drape(list);
+    this.stage.invalidate();
+  }
+
+  /// Changes with the terrain.
+  get terrainKey(): string {
+    return this.key;
+  }
+
   private stretch(factor: number) {
     const { stage } = this;
     const before = stage.world.scale.z;
@@ -222,7 +238,7 @@ export class ModelScene {
 
   /// The names to draw.
   names(): Name[] {
-    return [...(layers.barriers.peek() ? this.barrierNames : []), ...(layers.seeders.peek() ? this.seederNames : [])];
+    return [...(layers.barriers.peek() ? this.barrierNames : []), ...(layers.seeders.peek() ? this.seederNames : []), ...this.layerNames];
   }
 
   private draw(lists: typeof overlays.value) {

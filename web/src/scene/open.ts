@@ -4,6 +4,7 @@ import type { AnimatedView } from '../animation/film';
 import { toggleRelease } from '../askLine/sources';
 import { showHandles } from '../drag/handles';
 import { chosen, chosenRock, resultsTab } from '../state/view';
+import { LayerScene } from './layerScene';
 import { ModelScene } from './modelScene';
 import { ObservedScene } from './observedScene';
 import { Pointing } from './pointing';
@@ -29,6 +30,7 @@ export function openScene(host: HTMLElement): OpenScene {
   const runs = new RunScene(scene);
   const observed = new ObservedScene(scene);
   const sources = new SourceScene(scene);
+  const layers = new LayerScene(scene);
   pointing.rockAt = (x, y) => runs.rockAt(x, y);
   // Without a tool, a click on a release place shows only its rocks. Otherwise it selects the rock of a trajectory, or else a
   // seeder or barrier; next to all it deselects.
@@ -53,6 +55,7 @@ export function openScene(host: HTMLElement): OpenScene {
       runs.dispose();
       observed.dispose();
       sources.dispose();
+      layers.dispose();
       scene.dispose();
     },
   };

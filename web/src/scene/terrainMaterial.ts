@@ -1,9 +1,18 @@
 // The shader of the terrain: light from the north-west with ambient light, colours by elevation, slope or material,
 // contours, and a draped map.
 
-import { DataTexture, DoubleSide, GLSL3, LinearFilter, NearestFilter, RGBAFormat, ShaderMaterial, Vector2, Vector4 } from 'three';
+import { DataTexture, DoubleSide, GLSL3, LinearFilter, NearestFilter, RGBAFormat, ShaderMaterial, Vector2, Vector4, type Texture } from 'three';
 import { colourOf, elevationRamp, groundColour, listBytes, materialColour, rampBytes, slopeRamp, type Colour } from '../view/colours';
+import { mostDraped } from '../layers/draped';
 import type { Shading } from '../view/settings';
+
+/// A picture over the terrain, in the scene's coordinates.
+export interface DrapedPicture {
+  texture: Texture;
+  corner: [number, number]; // in the south-west
+  size: [number, number];
+  opacity: number;
+}
 
 const vertex = /* glsl */ `
 #ifdef TILE
@@ -58,6 +67,18 @@ uniform float phase;       // the z of the frame's base, within five intervals
 uniform sampler2D map;
 uniform vec4 mapArea;      // its south-west corner and its size
 uniform float mapOpacity;
+uniform sampler2D pictures[MOST_DRAPED];
+uniform vec4 pictureAreas[MOST_DRAPED];    // as mapArea
+uniform float pictureOpacities[MOST_DRAPED];
+
+/// Draws a picture, whose colours are multiplied by their alpha, over a colour. Returns how much of it is covered.
+float drape(sampler2D picture, vec4 area, float opacity, inout vec3 base) {
+  vec2 at = (place.xy - area.xy) / area.zw;
+  bool isInside = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(1.0)));
+  vec4 value = texture(picture, at) * (isInside ? opacity : 0.0);
+  base = base * (1.0 - value.a) + value.rgb;
+  return value.a;
+}
 
 float lineAt(float value, float width) {
   float slope = fwidth(value);
@@ -94,6 +115,13 @@ void main() {
   float light = 0.46 * (0.55 + 0.45 * shown.z) + 0.24 * fill + 0.54 * (0.66 * sun / 0.7071 + 0.18 * west / 0.5713 + 0.16 * north / 0.5713);
   light = light < 1.0 ? light : 1.0 + 0.55 * (light - 1.0);
   vec3 tint = mix(vec3(0.90, 0.96, 1.08), vec3(1.02, 1.0, 0.97), clamp(1.4 * sun, 0.0, 1.0));
+
+  float covered = 0.0;
+  // (An index of samplers must be constant.)
+${[0, 1, 2, 3].map((k) => `  if (pictureOpacities[${k}] > 0.0) covered = max(covered, drape(pictures[${k}], pictureAreas[${k}], pictureOpacities[${k}], base));`).join('\n')}
+  // A photograph has its own light and shade.
+  light = mix(light, 0.75 + 0.25 * light, covered);
+  tint = mix(tint, vec3(1.0), covered);
 
   if (mapOpacity > 0.0) {
     vec2 at = (place.xy - mapArea.xy) / mapArea.zw;
@@ -141,6 +169,9 @@ function uniforms() {
     map: { value: null as DataTexture | null },
     mapArea: { value: new Vector4(0, 0, 1, 1) },
     mapOpacity: { value: 0 },
+    pictures: { value: Array.from({ length: mostDraped }, () => null as Texture | null) },
+    pictureAreas: { value: Array.from({ length: mostDraped }, () => new Vector4(0, 0, 1, 1)) },
+    pictureOpacities: { value: Array.from({ length: mostDraped }, () => 0) },
   };
 }
 export type TerrainUniforms = ReturnType<typeof uniforms>;
@@ -154,7 +185,7 @@ export class TerrainMaterial extends ShaderMaterial {
       vertexShader: vertex,
       fragmentShader: fragment,
       uniforms: uniforms(),
-      defines: tiles ? { TILE: 1 } : {},
+      defines: { MOST_DRAPED: mostDraped, ...(tiles && { TILE: 1 }) },
       side: DoubleSide,
       // Keeps lines on the ground visible.
       polygonOffset: true,
@@ -173,6 +204,17 @@ export class TerrainMaterial extends ShaderMaterial {
     this.uniforms.shading.value = modes[shading];
     this.uniforms.plain.value = unit(groundColour[shade]);
     this.uniforms.ink.value = unit(shade === 'light' ? dark : colourOf('#101010'));
+  }
+
+  /// The lowest first, at most `mostDraped`.
+  drape(list: readonly DrapedPicture[]) {
+    const { pictures, pictureAreas, pictureOpacities } = this.uniforms;
+    for (let k = 0; k < mostDraped; ++k) {
+      const shown = list[k];
+      pictures.value[k] = shown?.texture ?? null;
+      pictureOpacities.value[k] = shown?.opacity ?? 0;
+      if (shown) pictureAreas.value[k]!.set(...shown.corner, ...shown.size);
+    }
   }
 
   override dispose() {

@@ -151,6 +151,7 @@ const only3d: readonly Path[] = [
   ['seeder'],
   ['barrier'],
   ['collector'],
+  ['layer'],
   ['design', 'section_m'],
   ['output', 'runout_from'],
   ['output', 'runout_along'],

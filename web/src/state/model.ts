@@ -11,6 +11,8 @@ import { reportFailure, resolve } from './messages';
 /// earlier text. Other entries with errors are left out.
 export const model = signal<Model | null>(null);
 export const problems = signal<Problem[]>([]);
+/// Of the files of reference layers: warnings, because a run does without them.
+export const layerProblems = signal<Problem[]>([]);
 export const isBuilding = signal(false);
 /// Whether the terrain has errors and `model` is that of an earlier text.
 export const isStale = signal(false);
@@ -95,5 +97,5 @@ addEventListener('focus', () => {
 
 /// The problems at a path or below it: "material.0.normal_restitution".
 export function problemsAt(path: string): Problem[] {
-  return problems.value.filter((problem) => problem.path === path || problem.path.startsWith(`${path}.`));
+  return [...problems.value, ...layerProblems.value].filter((problem) => problem.path === path || problem.path.startsWith(`${path}.`));
 }

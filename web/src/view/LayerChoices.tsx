@@ -1,3 +1,5 @@
+import { LayerList } from '../layers/LayerList';
+import { dimension } from '../model/place';
 import { Popover } from './Popover';
 import { layerNames, layers } from './settings';
 
@@ -11,6 +13,7 @@ export function LayerChoices() {
           {layerNames[name]}
         </label>
       ))}
+      {dimension.value === 3 && <LayerList />}
     </Popover>
   );
 }

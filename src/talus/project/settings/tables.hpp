@@ -19,6 +19,7 @@ Table kit_table();
 Table design_table();
 Table output_table();
 Table report_table();
+Table layer_table();
 Table distribution_table();
 
 }  // namespace talus::project::declared

@@ -24,13 +24,13 @@ export function FileControl({ field, path, entry }: Props) {
   const take = entry?.take ?? ((next: TomlValue | undefined) => put(path, next, field.title));
   const now = cellText(value);
   const project = file.value ?? '';
-  const names = fittingFiles(field.key, files.value).map(({ name }) => relativeTo(project, name));
+  const names = fittingFiles(field.key, files.value, String(path[0])).map(({ name }) => relativeTo(project, name));
   // For alternative keys of a terrain the engine reports that one is needed; here only the file is missing.
   const absent = field.excludes.length > 0 ? 'no file chosen' : absentText(field) || 'no file chosen';
   const emptyText = names.length > 0 || now ? absent : 'no suitable file in the folder yet';
   const problems = problemsAt(pathText(path));
   const upload = async (list: File[]) => {
-    const name = fittingName(field.key, await uploadFiles(project, list), files.value);
+    const name = fittingName(field.key, await uploadFiles(project, list), files.value, String(path[0]));
     if (name !== undefined) take(name);
   };
   return (

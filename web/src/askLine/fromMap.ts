@@ -1,0 +1,68 @@
+// Takes a line from the map: the one of a reference layer that is clicked, or the contour through a place.
+
+import { Refused, sendJson } from '../api/client';
+import type { Point2, Point3 } from '../api/types';
+import { addressOf, isDrawn, projectLayers } from '../layers/layers';
+import { draw } from '../model/drawing';
+import { dimension } from '../model/place';
+import { camera } from '../scene/picture';
+import { tool, useTool } from '../scene/tool';
+import { notify, reportFailure, resolve } from '../state/messages';
+import { model } from '../state/model';
+import { isAsking } from '../state/view';
+import { numberText } from '../ui/format';
+import { ask } from './asked';
+
+const names = { layer: 'Take a line of a layer', contour: 'Take a contour' } as const;
+export const isTaking = (what: keyof typeof names) => tool.value?.name === names[what];
+
+/// The layers whose lines can be taken.
+export const vectorLayers = () => projectLayers.value.filter((layer) => layer.found?.kind === 'vector' && isDrawn(layer));
+
+interface Nearest {
+  shape: { kind: 'line' | 'polygon'; name: string; distance_m: number; points: Point2[] } | null;
+}
+
+const reach = 12; // pixels
+
+async function takeNearest([x, y]: Point3) {
+  const now = model.peek();
+  const reach_m = reach * camera.peek().metresPerPixel;
+  const found = await Promise.all(vectorLayers().map((layer) => sendJson<Nearest>('POST', addressOf(layer, 'nearest'), { place: [x, y], reach_m })));
+  if (model.peek()?.id !== now?.id) return;
+  const [best] = found.flatMap(({ shape }) => shape ?? []).sort((a, b) => a.distance_m - b.distance_m);
+  if (!best) return notify('note', 'There is no line of a layer where you clicked.', 'asked file');
+  resolve('asked file');
+  // The outline of an area ends where it begins.
+  const points = best.kind === 'polygon' ? best.points.slice(0, -1) : best.points;
+  ask({ kind: best.kind, points }, `ask ${best.name || 'a line of a layer'}`);
+}
+
+/// Asks the contour through a place, or at an elevation near it.
+async function takeContour([x, y]: Point3, elevation_m?: number) {
+  const now = model.peek();
+  if (!now) return;
+  try {
+    const found = await sendJson<{ elevation_m: number; points: Point2[] }>('POST', `/api/models/${now.id}/contour`, { place: [x, y], ...(elevation_m !== undefined && { elevation_m }) });
+    if (model.peek()?.id !== now.id) return;
+    resolve('asked file');
+    ask({ kind: 'line', points: found.points }, `ask the contour at ${numberText(found.elevation_m, 5)} m`);
+  } catch (error) {
+    if (!(error instanceof Refused)) throw error;
+    notify('note', error.message, 'asked file');
+  }
+}
+
+export function takeFromMap(what: keyof typeof names, elevation?: () => number | undefined) {
+  isAsking.value = true;
+  if (isTaking(what)) return useTool(null);
+  if (dimension.peek() === 2) return;
+  draw({
+    name: names[what],
+    kind: 'points',
+    least: 1,
+    most: 1,
+    hint: what === 'layer' ? 'Click a line of a reference layer.' : 'Click the place through which the contour runs, or near which it has the elevation of the card.',
+    done: ([place]) => void (what === 'layer' ? takeNearest(place!) : takeContour(place!, elevation?.())).catch(reportFailure),
+  });
+}
