@@ -66,11 +66,12 @@ struct ReplayOptions {
 };
 int replay(const ReplayOptions& options);
 
-/// A question to a finished run; one of line, barrier and polygon.
+/// A question to a finished run; one of line, barrier, polygon and ditch.
 struct LineOptions {
   std::filesystem::path folder;               // of the run
   std::string line, polygon;                  // "x,y x,y ...", or a file
   std::string barrier;                        // of the run
+  std::vector<double> ditch;                  // its toe and far edge
   std::optional<double> height_m, energy_kJ;  // of a kit to judge; both or neither
   std::optional<double> section_m;
   std::vector<std::string> design;  // KEY=VALUE of [design]

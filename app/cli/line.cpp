@@ -170,6 +170,56 @@ void print_area(const Json& answer, const StoredSources& places, const Model& mo
   print_sources(answer.at("sources"), places, model);
 }
 
+/// "3.41 m (3.2 to 3.7)"; "unknown" is an end that more rocks would give.
+std::string distance_text(const Json& estimate) {
+  if (estimate.at(1).is_null() && estimate.at(2).is_null())
+    return fmt::format("{} m (too few rocks)", three_digits(estimate.at(0).get<double>()));
+  const auto end = [](const Json& value) {
+    return value.is_null() ? std::string("unknown") : three_digits(value.get<double>());
+  };
+  return fmt::format("{} m ({} to {})", three_digits(estimate.at(0).get<double>()), end(estimate.at(1)),
+                     end(estimate.at(2)));
+}
+
+void print_ditch(const Json& answer) {
+  print_run(answer.at("run"));
+  const auto count = [&](const char* key, const char* does, const char* of) {
+    const Json& share = answer.at(key).at("share");
+    const std::string rocks = grouped(answer.at(key).at("rocks").get<std::uint64_t>());
+    if (share.is_null()) {
+      fmt::print("{} rocks {}\n", rocks, does);
+    } else {
+      fmt::print("{} rocks {}: {:.1f} % ({:.1f} to {:.1f} %) {}\n", rocks, does, 100 * share.at("value").get<double>(),
+                 100 * share.at("low").get<double>(), 100 * share.at("high").get<double>(), of);
+    }
+  };
+  const std::string all = fmt::format("of {}", grouped(answer.at("rocks").get<std::uint64_t>()));
+  count("arriving", "get past the toe", all.c_str());
+  count("inside", "end inside", all.c_str());
+  count("beyond",
+        fmt::format("get beyond the far edge, {:g} m from the toe", answer.at("width_m").get<double>()).c_str(),
+        all.c_str());
+  count("retained", "are retained", "of those that get past the toe");
+  if (const auto beyond = answer.at("released_beyond").get<std::uint64_t>(); beyond > 0)
+    fmt::print("{} rocks are released past the toe and do not count.\n", grouped(beyond));
+  fmt::print("\n{:>5}{:>30}{:>30}\n", "", "first impact", "roll-out");
+  for (const double percentile : ditch_percentiles) {
+    const std::string key = fmt::format("{}", percentile);
+    const auto cell = [&](const char* what) {
+      const Json& values = answer.at(what).at("percentiles");
+      return values.contains(key) ? distance_text(values.at(key)) : std::string("-");
+    };
+    fmt::print("{:>3} %{:>30}{:>30}\n", key, cell("impact"), cell("rollout"));
+  }
+  if (answer.at("slope").is_null()) return;
+  fmt::print("\nThe slope above: {} m at {:.0f} degrees\n",
+             three_digits(answer.at("slope").at("height_m").get<double>()),
+             answer.at("slope").at("angle_deg").get<double>());
+  for (const Json& criterion : answer.at("criteria"))
+    fmt::print("  {}: {}\n    ({})\n", criterion.at("name").get<std::string>(), criterion.at("text").get<std::string>(),
+               criterion.at("source").get<std::string>());
+}
+
 void write_json(const fs::path& file, const Json& json) {
   if (file.empty()) return;
   OutputFile out(file);
@@ -202,6 +252,13 @@ int line(const LineOptions& options) {
     const Json json = asked.area(basis, area, answer_options).json;
     write_json(options.json, json);
     print_area(json, asked.sources(), run.model);
+    return done;
+  }
+  if (!options.ditch.empty()) {
+    const Ditch ditch = ditch_between(run.model, options.ditch[0], options.ditch[1], "--ditch");
+    const Json json = asked.ditch(ditch, basis.design.confidence).json;
+    write_json(options.json, json);
+    print_ditch(json);
     return done;
   }
   const double height = answer_options.kit ? answer_options.kit->height : asked_height;

@@ -46,8 +46,8 @@ void add_maps_memory(CLI::App& command, std::uint64_t& bytes) {
       ->type_name("SIZE");
 }
 
-/// One of a line, a barrier and a polygon.
-void add_question(CLI::App& command, std::string& line, std::string& barrier, std::string& polygon) {
+/// One of a line, a barrier and a polygon. Returns their group.
+CLI::Option_group& add_question(CLI::App& command, std::string& line, std::string& barrier, std::string& polygon) {
   auto* const asked = command.add_option_group("question", "What is asked");
   asked
       ->add_option("--line", line,
@@ -60,6 +60,7 @@ void add_question(CLI::App& command, std::string& line, std::string& barrier, st
       ->check(names_line)
       ->type_name("POLYGON");
   asked->require_option(1);
+  return *asked;
 }
 
 int dispatch(int argc, char** argv) {
@@ -176,7 +177,11 @@ int dispatch(int argc, char** argv) {
       ->required()
       ->check(names_folder)
       ->type_name("DIR");
-  add_question(*line_command, line_options.line, line_options.barrier, line_options.polygon);
+  add_question(*line_command, line_options.line, line_options.barrier, line_options.polygon)
+      .add_option("--ditch", line_options.ditch,
+                  "2D: the toe and the far edge of a ditch or bench: where do rocks strike it, which get beyond it?")
+      ->expected(2)
+      ->type_name("X");
   auto* const kit_height =
       line_command
           ->add_option("--height", line_options.height_m, "Nominal height of a kit on the line: what does it stop?")

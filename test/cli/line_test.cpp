@@ -11,6 +11,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "lines/slopes.hpp"
 
 namespace talus::test {
 namespace {
@@ -96,6 +97,22 @@ TEST_F(LineCommand, SaysWhatEntersAPolygon) {
   const std::string text = text_of("--polygon '5,5 25,5 25,45 5,45'");
   EXPECT_NE(text.find("rocks enter the polygon of 800 m2"), std::string::npos) << text;
   EXPECT_NE(text.find("rocks stop in the polygon of 800 m2"), std::string::npos) << text;
+}
+
+TEST_F(LineCommand, SaysWhatStaysInADitch) {
+  work_.write("face.toml", vertical_face);
+  const std::string face = (work_ / "face").string();
+  const Said run = talus_says("run " + (work_ / "face.toml").string() + " --quiet -o " + face);
+  ASSERT_EQ(run.exit_code, 0) << run.text;
+  const Said said = talus_says("line " + face + " --ditch 10 16");
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_EQ(said.text.substr(0, said.text.find('\n')), "5 rocks get past the toe: 100.0 % (47.8 to 100.0 %) of 5");
+  EXPECT_NE(said.text.find("3 rocks get beyond the far edge, 6 m from the toe: 60.0 %"), std::string::npos)
+      << said.text;
+  EXPECT_NE(said.text.find(" 50 %        6.03 m (too few rocks)"), std::string::npos) << said.text;
+  EXPECT_NE(said.text.find("Modified Ritchie criterion: 8.6 m"), std::string::npos) << said.text;
+  EXPECT_EQ(text_of("--ditch 10 16", 2),
+            "--ditch: is a stretch of a section (this run is 3D). Ask for a line or a polygon\n");
 }
 
 TEST_F(LineCommand, RefusesWithTheReason) {

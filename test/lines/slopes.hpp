@@ -52,4 +52,36 @@ mass_kg = 900
 horizontal_velocity_m_s = 2
 )";
 
+/// In section: a face of 20 m, and flat ground on which rocks stay where they land. Five rocks leave the crest with
+/// horizontal velocities of 1 to 5 m/s.
+inline const std::string vertical_face = R"([terrain]
+section = [[0, 20], [10, 20], [10, 0], [60, 0]]
+
+[[material]]
+name = "Sand"
+normal_restitution = 0
+tangential_restitution = 0
+friction_angle_deg = 40
+
+[[seeder]]
+position = [9.9, 20.5]
+horizontal_velocity_m_s = 1
+
+[[seeder]]
+position = [9.9, 20.5]
+horizontal_velocity_m_s = 2
+
+[[seeder]]
+position = [9.9, 20.5]
+horizontal_velocity_m_s = 3
+
+[[seeder]]
+position = [9.9, 20.5]
+horizontal_velocity_m_s = 4
+
+[[seeder]]
+position = [9.9, 20.5]
+horizontal_velocity_m_s = 5
+)";
+
 }  // namespace talus

@@ -24,6 +24,7 @@ class SimulatedPaths : public RockPaths {
     RockPath& path = paths_.emplace_back();
     path.record = record;
     log.for_each_piece([&](const PathPiece& piece) { path.pieces.push_back(piece); });
+    path.rows = log.rows;
     rocks_.push_back(record.rock);
     largest_radius_ = std::max(largest_radius_, record.body.radius);
   }
@@ -73,7 +74,7 @@ struct SimulatedRun {
     const auto part = observer.new_part();
     Simulator simulator(model);
     for (std::uint64_t rock = 0; rock < model.rocks(); ++rock) {
-      const RockRecord record = simulator.simulate(rock, false, true);
+      const RockRecord record = simulator.simulate(rock, true, true);
       records.push_back(record);
       logs.push_back(simulator.log());
       paths.add(record, simulator.log());

@@ -9,6 +9,8 @@ import { takeLineFiles } from './askLine/lineFiles';
 import { ModelPanel } from './model/ModelPanel';
 import { dimension } from './model/place';
 import { listenToDrops } from './model/terrainFile';
+import { SlopeCard } from './slopeTools/SlopeCard';
+import { slopePane } from './slopeTools/state';
 import { TimeBar } from './paths/TimeBar';
 import { ResultsPanel } from './results/ResultsPanel';
 import { RunsPanel } from './runs/RunsPanel';
@@ -66,6 +68,7 @@ export function Workbench() {
         <TimeBar />
         <ResultsPanel key={`results in ${unitSystem.value}`} />
         {isAsking.value && <AskCard key={`line in ${unitSystem.value}`} />}
+        {slopePane.value && dimension.value === 2 && <SlopeCard />}
       </main>
       <ContextMenu />
       <DropDialog />

@@ -174,6 +174,16 @@ Json answer_to(const Call& call, const Run& run, const RunStore& runs, AskedRuns
   return with_selection(open->asked->line(basis, line, options), warnings, run, asked);
 }
 
+Json answer_to_ditch(const Call& call, const Run& run, AskedRuns& asked) {
+  call.only({"toe_m", "far_m"});
+  const double toe = call.number("toe_m"), far_edge = call.number("far_m");
+  const std::shared_ptr<OpenRun> open = asked.open(run);
+  const std::lock_guard one_at_a_time(open->asking);
+  const Ditch ditch = ditch_between(open->built->model, toe, far_edge, "ditch");
+  const double confidence = project::design_basis(open->built->project).design.confidence;
+  return with_selection(open->asked->ditch(ditch, confidence), {}, run, asked);
+}
+
 /// The places of release, in arrays.
 Answer releases_of(const OpenRun& open) {
   const Model& model = open.built->model;
@@ -216,6 +226,8 @@ Answer releases_of(const OpenRun& open) {
 void add_line_routes(Router& router, RunStore& runs, AskedRuns& asked) {
   router.post(one_run + "/line",
               [&](const Call& call) { return json_answer(answer_to(call, runs.find(call.part(1)), runs, asked)); });
+  router.post(one_run + "/ditch",
+              [&](const Call& call) { return json_answer(answer_to_ditch(call, runs.find(call.part(1)), asked)); });
   router.get(one_run + "/releases",
              [&](const Call& call) { return releases_of(*asked.open(runs.find(call.part(1)))); });
 }

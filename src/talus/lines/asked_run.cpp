@@ -53,6 +53,14 @@ RunAnswer AskedRun::area(const project::DesignBasis& basis, const AskedArea& are
   return all;
 }
 
+RunAnswer AskedRun::ditch(const Ditch& ditch, double confidence) const {
+  const DitchAnswer answer = ask_ditch(model_, *paths_, ditch);
+  RunAnswer all{head(), {}};
+  all.json.update(ditch_json(model_, ditch, answer, confidence));
+  for (const RockInDitch& rock : answer.arriving) all.rocks.push_back(rock.rock);
+  return all;
+}
+
 double usual_section(const Barrier& line) {
   double length = 0;
   for (const Panel& panel : line.panels()) length = std::max(length, panel.station + panel.plan_length);

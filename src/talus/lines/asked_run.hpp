@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "talus/lines/area_json.hpp"
+#include "talus/lines/ditch_json.hpp"
 #include "talus/lines/line_json.hpp"
 
 namespace talus {
@@ -32,6 +33,8 @@ class AskedRun {
   [[nodiscard]] nlohmann::ordered_json lines(const project::DesignBasis& basis, std::span<const AskedLine> lines) const;
   [[nodiscard]] RunAnswer area(const project::DesignBasis& basis, const AskedArea& area,
                                const AnswerOptions& options) const;
+  /// `confidence`: of the intervals. The rocks are those that get past the toe.
+  [[nodiscard]] RunAnswer ditch(const Ditch& ditch, double confidence) const;
 
   [[nodiscard]] const StoredSources& sources() const { return sources_; }
   [[nodiscard]] const RockPaths& paths() const { return *paths_; }

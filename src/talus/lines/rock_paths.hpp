@@ -13,6 +13,7 @@ namespace talus {
 struct RockPath {
   RockRecord record;
   std::vector<PathPiece> pieces;  // none is a glide
+  std::vector<PathRow> rows;      // of paths.csv
 };
 
 /// Reading changes nothing, so that several threads can read at the same time.

@@ -6,10 +6,12 @@ namespace talus {
 
 void StoredPaths::read(std::size_t place, RockPath& into) const {
   thread_local StoredTrajectory stored;
-  std::swap(stored.pieces, into.pieces);  // its memory is used again
+  std::swap(stored.pieces, into.pieces);  // their memory is used again
+  std::swap(stored.rows, into.rows);
   store_.read(place, stored);
   into.record = stored.record;
   std::swap(stored.pieces, into.pieces);
+  std::swap(stored.rows, into.rows);
 }
 
 }  // namespace talus

@@ -186,9 +186,9 @@ type Following = Pick<Drag, 'move' | 'drop' | 'cancel'>;
 
 /// The drag of a mark that is no entry of the project.
 export const dragOf = (view: DragView, grip: GripDrag): Following => ({
-  move(to) {
+  move(to, keys) {
     const point = view.placeAt(to);
-    if (point) grip.move(point);
+    if (point) grip.move(point, keys, view.metresPerPixel());
   },
   drop: () => grip.drop(),
   cancel: () => grip.cancel(),

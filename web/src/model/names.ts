@@ -28,7 +28,7 @@ export type Name = TableName | KeyOf | PartName | Exclude<keyof Root, TableName>
 /// The path of a value in the project: `['seeder', 0, 'position']`.
 export type Path = readonly (Name | number)[];
 
-export type Edit = { set: Path; value: TomlValue } | { remove: Path } | { append: Path; value: Row; comment?: string };
+export type Edit = { set: Path; value: TomlValue } | { remove: Path } | { insert: Path; value: TomlValue } | { append: Path; value: Row; comment?: string };
 
 /// The values of a table, or of an entry of a list.
 export type Row<T extends TableName = TableName> = { [K in KeyOf<T>]?: TomlValue };

@@ -42,6 +42,7 @@ export interface Overlay {
   label?: string;
   /// A line without marks at its points.
   isBare?: boolean;
+  isDashed?: boolean;
   /// Of a line [pixels].
   width?: number;
 }
@@ -84,8 +85,8 @@ effect(() => {
 
 /// The drag of a mark in a view.
 export interface GripDrag {
-  /// To a place on the ground.
-  move(to: Point3): void;
+  /// To a place on the ground, or in the section.
+  move(to: Point3, keys: { ctrl: boolean; alt: boolean }, metresPerPixel: number): void;
   drop(): void;
   cancel(): void;
 }

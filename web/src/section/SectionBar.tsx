@@ -4,6 +4,7 @@ import { AnimationButton } from '../animation/AnimationButton';
 import { AskButton } from '../askLine/AskButton';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
+import { SlopeButton } from '../slopeTools/SlopeButton';
 import { saveSheet } from '../view/sheet';
 import { DistanceButton } from '../view/DistanceButton';
 import { LayerChoices } from '../view/LayerChoices';
@@ -38,6 +39,7 @@ export function SectionBar() {
       <LayerChoices />
       <DistanceButton />
       <AskButton />
+      <SlopeButton />
       <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet(sectionPicture)}>
         Picture
       </button>

@@ -86,11 +86,15 @@ export function drawObserved(pen: Pen, frame: Frame, lists: readonly ObservedPla
 }
 
 export function drawOverlays(pen: Pen, frame: Frame, lists: Overlay[]): Label[] {
-  return lists.flatMap(({ points, kind, colour = markColours.tool, label, width = 3 }) => {
+  return lists.flatMap(({ points, kind, colour = markColours.tool, label, width = 3, isBare, isDashed }) => {
     const pixels = points.map(([x, , z]) => pixelOf(frame, x, z));
     if (kind === 'points') for (const pixel of pixels) dot(pen, pixel, 5, colour);
-    else polyline(pen, pixels, width, colour, kind === 'polygon');
-    if (kind !== 'points') for (const pixel of pixels) dot(pen, pixel, 3.5, colour);
+    else {
+      pen.setLineDash(isDashed ? [8, 5] : []);
+      polyline(pen, pixels, width, colour, kind === 'polygon');
+      pen.setLineDash([]);
+    }
+    if (kind !== 'points' && !isBare) for (const pixel of pixels) dot(pen, pixel, 3.5, colour);
     const last = pixels.at(-1);
     return label && last ? [labelOf(pen, label, last, 5)] : [];
   });

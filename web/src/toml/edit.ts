@@ -1,7 +1,7 @@
 // Edits a TOML text locally: comments, order and layout of everything else are preserved.
 
 import { parseTOML, type AST } from 'toml-eslint-parser';
-import { commentStart, insertAfter, insertListed, lineEnd, lineStart, removeListed, splice } from './lines';
+import { commentStart, insertAfter, insertBefore, insertListed, lineEnd, lineStart, removeListed, splice } from './lines';
 import { inlineText, keyText, pairText, tableText, type TomlTable, type TomlValue } from './format';
 import { withoutMark } from './values';
 
@@ -12,6 +12,8 @@ export type Edit =
   | { set: Path; value: TomlValue }
   /// Removes a key, an entry of a list, or a table with its subtables, if it exists.
   | { remove: Path }
+  /// Inserts an entry into a list, before the one at the path or at its end.
+  | { insert: Path; value: TomlValue }
   /// Adds a table `[[path]]` after the last of its kind, below a comment if one is given.
   | { append: Path; value: TomlTable; comment?: string };
 
@@ -26,6 +28,7 @@ export function edited(text: string, edits: readonly Edit[]): string {
   return edits.reduce((now, edit) => {
     if ('set' in edit) return setValue(now, edit.set, edit.value);
     if ('remove' in edit) return removeAt(now, edit.remove);
+    if ('insert' in edit) return insertAt(now, edit.insert, edit.value);
     return appendTable(now, edit.append, edit.value, edit.comment);
   }, text);
 }
@@ -211,6 +214,15 @@ function removeAt(text: string, path: Path): string {
   const left = ranges.sort(([a], [b]) => b - a).reduce((now, [from, to]) => splice(now, from, to, ''), text);
   const isAtEnd = ranges.some(([, to]) => to >= text.length);
   return isAtEnd && left.trim() ? `${left.trimEnd()}\n` : left;
+}
+
+function insertAt(text: string, path: Path, value: TomlValue): string {
+  const list = path.slice(0, -1);
+  const found = findPair(topOf(text), list);
+  const node = found && found.rest.reduce<Content | null>((at, part) => at && childOf(at, part), found.pair.value);
+  if (node?.type !== 'TOMLArray') throw new Error(`${list.join('.')} is not a list`);
+  const next = node.elements[Number(path.at(-1))];
+  return next ? insertBefore(text, next.range, inlineText(value)) : setValue(text, [...list, node.elements.length], value);
 }
 
 function appendTable(text: string, path: Path, value: TomlTable, comment?: string): string {

@@ -46,6 +46,15 @@ export function insertListed(text: string, last: AST.Range, end: number, piece: 
   return hasComma ? grown : splice(grown, last[1], last[1], ',');
 }
 
+/// Inserts an entry before another one of a list, on its own line and above the comment of the other one if that has its
+/// own line.
+export function insertBefore(text: string, [from, to]: AST.Range, piece: string): string {
+  if (!isAlone(text, [from, to])) return splice(text, from, from, `${piece}, `);
+  const start = lineStart(text, from);
+  const at = commentStart(text, start);
+  return splice(text, at, at, `${text.slice(start, from)}${piece},\n`);
+}
+
 /// Removes one of several comma-separated entries.
 export function removeListed(text: string, list: readonly { range: AST.Range }[], k: number): string {
   const [from, to] = list[k]!.range;
