@@ -190,7 +190,7 @@ TEST(TheProgram, ReportsThatStandardOutputIsFull) {
 TEST(RefusedByTheProgram, AnUnknownCommand) {
   const Workplace place;
   const std::string known =
-                        "(known commands: run, serve, merge, calibrate, check, replay, line, report, export, "
+                        "(known commands: run, serve, merge, calibrate, check, replay, line, what-if, report, export, "
                         "sensitivity, verify, validate, materials, schema, new)",
                     help = "\nSee `talus --help`.\n";
   EXPECT_EQ(said(place, "rnu slope.toml"), "2 there is no command \"rnu\". Did you mean \"run\"?" + help);

@@ -80,6 +80,7 @@ tangential_restitution = 1
 friction_angle_deg = 10
 [[seeder]]
 position = [1, 9]
+mass_kg = 100
 )");
   const DitchAnswer answer = asked(run, 5, 8);
   ASSERT_EQ(answer.arriving.size(), 1u);
@@ -106,7 +107,9 @@ TEST(AskedDitch, KeepsMoreRocksIfItIsWider) {
     std::size_t beyond = 0;
     for (const RockInDitch& rock : answer.arriving) {
       EXPECT_EQ(rock.gets_beyond, rock.farthest > width - 1e-6);
-      if (rock.first_impact) EXPECT_LE(*rock.first_impact, rock.farthest + 1e-9);
+      if (rock.first_impact) {
+        EXPECT_LE(*rock.first_impact, rock.farthest + 1e-9);
+      }
       beyond += rock.gets_beyond ? 1 : 0;
     }
     EXPECT_LE(beyond, before);

@@ -65,22 +65,27 @@ friction_angle_deg = 40
 
 [[seeder]]
 position = [9.9, 20.5]
+mass_kg = 100
 horizontal_velocity_m_s = 1
 
 [[seeder]]
 position = [9.9, 20.5]
+mass_kg = 100
 horizontal_velocity_m_s = 2
 
 [[seeder]]
 position = [9.9, 20.5]
+mass_kg = 100
 horizontal_velocity_m_s = 3
 
 [[seeder]]
 position = [9.9, 20.5]
+mass_kg = 100
 horizontal_velocity_m_s = 4
 
 [[seeder]]
 position = [9.9, 20.5]
+mass_kg = 100
 horizontal_velocity_m_s = 5
 )";
 

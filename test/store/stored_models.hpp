@@ -27,12 +27,12 @@ inline const std::vector<NamedModel> models{
     {"Barrier", "barrier/barrier.toml", {}},
     {"Bowl", "bowl/bowl.toml", {}},
     {"BowlSphere", "bowl/bowl.toml", {"analysis.model=rigid_sphere"}},
-    {"Crater", "maungawhau/crater.toml", {}, 65},
-    {"CraterLumpedMass", "maungawhau/crater.toml", {"analysis.model=lumped_mass"}, 65},
+    {"Crater", "maungawhau/crater.toml", {}, 75},
+    {"CraterLumpedMass", "maungawhau/crater.toml", {"analysis.model=lumped_mass"}, 75},
     {"CraterForest",
      "maungawhau/crater.toml",
      {"material.0.forest_drag_kg_s=400", "material.0.forest_height_m=10"},
-     105},
+     120},
 };
 
 inline Model model_of(const NamedModel& named) {

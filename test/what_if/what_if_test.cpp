@@ -144,6 +144,7 @@ TEST(WhatIf, AgreesWithSlidingOnAPlane) {
   const std::string plane = R"([analysis]
 model = "lumped_mass"
 rotation = false
+sliding = "closed_form"
 gravity_m_s2 = 9.81
 [sampling]
 method = "latin_hypercube"

@@ -22,7 +22,7 @@ struct StoreTolerance {
 struct StoreStep {
   static constexpr double time = 0x1p-20;      // [s]
   static constexpr double place = 0x1p-20;     // [m]
-  static constexpr double velocity = 0x1p-16;  // [m/s]; of spins: of the surface of the sphere of the rock's volume
+  static constexpr double velocity = 0x1p-20;  // [m/s]; of spins: of the surface of the sphere of the rock's volume
 };
 
 /// A part of constant acceleration between two motions: positions by the parabola that has the right ends and the

@@ -54,9 +54,10 @@ test('results are shown in feet on request; settings and places stay metric', as
   const metres = Number(await mean.textContent());
   const units = page.getByRole('button', { name: /^Units of results/ });
   await units.click();
-  await expect(page.getByRole('combobox', { name: 'Quantity', exact: true }).locator('option:checked')).toHaveText('Runout on plan [ft]');
+  const quantity = page.locator('label.choice').filter({ hasText: 'Quantity' }).locator('select');
+  await expect(quantity.locator('option:checked')).toHaveText('Runout on plan [ft]');
   await expect.poll(async () => Number(await mean.textContent())).toBeCloseTo(metres / 0.3048, 1);
-  await page.getByLabel('Quantity', { exact: true }).selectOption('x_m');
+  await quantity.selectOption('x_m');
   await expect(page.locator('.drawing').first()).toContainText('[m]');
   await page.reload();
   await expect(units).toHaveText('ft');

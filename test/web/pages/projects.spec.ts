@@ -48,7 +48,7 @@ test('a project that was seen has a picture, in 2D and in 3D', async ({ workbenc
   await expect.poll(async () => (await page.locator('.scene canvas').first().screenshot()).length).toBeGreaterThan(20_000);
   await toStartPage(page);
   expect(await coloursOf(page, 'tutorial-1-3d.toml')).toBeGreaterThan(20);
-  expect(await names(page)).toEqual(['tutorial-1/tutorial-1-3d.toml', 'tutorial-1/tutorial-1-2d.toml']);
+  await expect.poll(() => names(page)).toEqual(['tutorial-1/tutorial-1-3d.toml', 'tutorial-1/tutorial-1-2d.toml']);
 });
 
 test('a project is renamed with its runs', async ({ workbench: page, server }) => {

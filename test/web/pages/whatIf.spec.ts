@@ -41,6 +41,6 @@ test('inputs are varied beside a run, and a change is opened as a run of its own
     const { runs } = await (await fetch('/api/runs')).json();
     return (await fetch(`/api/runs/${runs[0].id}/files/project.toml`)).text();
   });
-  expect(changed).toContain(String(changes[0].after));
+  expect(changed).toContain(`tangential_restitution = { mean = ${changes[0].after.mean}`);
   expect(await projectText(page)).toBe(text);
 });

@@ -84,7 +84,7 @@ function AnswerOf({ state, answer }: { state: WhatIfState; answer: WhatIfAnswer 
         title: `Change of the ${title.toLowerCase()}`,
         unit: displayOf(figures[by].unit).unit,
         per: 1,
-        bars: barsOf(answer, by, displayOf(figures[by].unit)).map((bar) => ({ ...bar, name: bar.other ? bar.variation.title : bar.name })),
+        bars: barsOf(answer, by, displayOf(figures[by].unit)),
         choose: (bar: TornadoBar) => choose(nameOf((bar as WhatIfBar).variation)),
       }),
     [answer, by, unitSystem.value],

@@ -44,6 +44,7 @@ test('a row for each factor, the largest change on top, both steps in it', () =>
     ['mass −25 %', 'mass +25 %'],
     ['friction −10 %', 'friction +10 %'],
   ]);
+  expect(bars.map(({ row }) => row)).toEqual(['mass', 'friction']);
   expect(bars[1]!.value).toBeCloseTo(2);
   expect(bars[1]!.other!.low).toBeCloseTo(-4);
 });

@@ -42,7 +42,7 @@ export function barsOf({ variations }: WhatIfAnswer, by: WhatIfFigure, display: 
       .filter((each) => each.factor === factor)
       .toSorted((a, b) => a.step_percent - b.step_percent)
       .flatMap((each) => barOf(each, by, display) ?? []);
-    if (first) rows.push(second ? { ...first, other: second } : first);
+    if (first) rows.push(second ? { ...first, other: second, row: first.variation.title } : first);
   }
   const size = ({ value, other }: TornadoBar) => Math.max(Math.abs(value), Math.abs(other?.value ?? 0));
   return rows.toSorted((a, b) => size(b) - size(a));

@@ -7,6 +7,7 @@ import { textOf } from '../runs/runText';
 import { kept } from '../state/kept';
 import { attempt, reportFailure } from '../state/messages';
 import { compute, shown } from '../state/runs';
+import { sidePanel } from '../state/view';
 import { asked } from './asked';
 import { shapeOf } from './shape';
 import { editsOf, nameOf } from './tornadoOf';
@@ -54,5 +55,6 @@ export const openAsRun = (of: WhatIfState, variation: Variation) =>
   attempt('what if', async () => {
     const text = edited(await textOf(of.run), editsOf(variation.changes));
     const { rocks, seed } = of.overrides;
+    sidePanel.value = 'runs';
     await compute({ name: nameOf(variation), ...(rocks !== null && { rocks }), ...(seed !== null && { seed }) }, text);
   });

@@ -16,8 +16,9 @@ export interface TornadoBar {
   inner?: number | null;
   /// A diamond, which may be negative.
   mark?: number | null;
-  /// Another bar below it in the same row, for a change in the other direction; its name is that of the tip.
+  /// Another bar below it in the same row, for a change in the other direction; `row` then names both.
   other?: TornadoBar;
+  row?: string;
 }
 
 export interface Tornado extends Quantity {
@@ -36,8 +37,8 @@ export const shortened = (name: string, width: number) => {
 
 export function tornado(element: SVGSVGElement, room: Room, { title, unit, bars, choose }: Tornado) {
   const svg = openDrawing(element, room);
-  const longest = Math.max(1, ...bars.map(({ name }) => name.length));
-  const nameWidth = Math.min(0.45 * room.width, letterWidth * longest);
+  const longest = Math.max(1, ...bars.map(({ name, row }) => (row ?? name).length));
+  const nameWidth = Math.min(0.48 * room.width, letterWidth * longest);
   const all = bars.flatMap((bar) => (bar.other ? [bar, bar.other] : [bar]));
   const reached = all.flatMap(({ value, low, high, inner, mark }) => [
     0,
@@ -103,9 +104,9 @@ export function tornado(element: SVGSVGElement, room: Room, { title, unit, bars,
       .attr('x', side.left - 10)
       .attr('y', middle + 4)
       .attr('text-anchor', 'end')
-      .text(shortened(bar.name, nameWidth))
+      .text(shortened(bar.row ?? bar.name, nameWidth))
       .append('title')
-      .text(bar.name);
+      .text(bar.row ?? bar.name);
     if (!bar.other) return drawBar(bar, middle, half, 'var(--run-a)');
     drawBar(bar, middle - half / 2, half / 2 - 0.5, 'var(--run-a)');
     drawBar(bar.other, middle + half / 2, half / 2 - 0.5, 'var(--run-b)');
