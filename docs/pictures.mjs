@@ -49,7 +49,7 @@ async function inWorkbench(browser, folder, task) {
 const pictureOfWorkbench = (browser, folder) =>
   inWorkbench(browser, folder, async (page) => {
     await page.getByRole('button', { name: /^Tutorial 1, in 3D/ }).click();
-    await page.getByRole('group', { name: 'Time of the rocks' }).waitFor();
+    await page.getByRole('group', { name: 'Playback' }).waitFor();
     await page.getByRole('tab', { name: 'Barriers' }).click();
     await page.getByRole('slider', { name: 'Time', exact: true }).fill('2.9');
     await page.getByRole('img', { name: /^Histogram/ }).waitFor();
