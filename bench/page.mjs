@@ -11,6 +11,7 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:f
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
+import { addressOf } from './served.mjs';
 
 const sources = resolve(import.meta.dirname, '..');
 const { chromium } = createRequire(join(sources, 'test/web/package.json'))('@playwright/test');
@@ -141,14 +142,7 @@ async function measure(name, { write, runs = false }) {
     args: ['--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--disable-gpu-compositing', ...(process.getuid() === 0 ? ['--no-sandbox'] : [])],
   });
   try {
-    let printed = '';
-    const address = await new Promise((found) =>
-      server.stdout.on('data', (bytes) => {
-        printed += bytes;
-        const match = /http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/.exec(printed);
-        if (match) found(match[0]);
-      }),
-    );
+    const address = await addressOf(server);
     const page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
     page.setDefaultTimeout(300_000);
     await page.emulateMedia({ reducedMotion: 'reduce' });

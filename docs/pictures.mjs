@@ -7,6 +7,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
+import { addressOf } from '../bench/served.mjs';
 
 const sources = resolve(import.meta.dirname, '..');
 const program = resolve(process.argv[2] ?? join(sources, 'build/talus'));
@@ -27,14 +28,7 @@ async function pictureOfReport(browser, folder) {
 async function inWorkbench(browser, folder, task) {
   const server = spawn(program, ['serve', folder, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
   try {
-    let printed = '';
-    const address = await new Promise((found) =>
-      server.stdout.on('data', (bytes) => {
-        printed += bytes;
-        const match = /http:\/\/127\.0\.0\.1:\d+\/\?token=\w+/.exec(printed);
-        if (match) found(match[0]);
-      }),
-    );
+    const address = await addressOf(server);
     const page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await page.goto(address);

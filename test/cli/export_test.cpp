@@ -61,7 +61,9 @@ TEST(Export, MakesThePathsOfTheRun) {
       EXPECT_LE(distance(is.position_m, was.position_m), StoreStep::place);
       EXPECT_LE(distance(is.velocity_m_s, was.velocity_m_s), StoreStep::velocity);
       EXPECT_LE(distance(is.spin_rad_s, was.spin_rad_s), 10 * StoreStep::velocity) << "radii are over 0.1 m";
-      EXPECT_NEAR(is.total_J(), was.total_J(), 1e-5 * (1 + std::abs(was.total_J())));
+      // E ~ v^2, and the spin of a rolling rock follows its velocity.
+      const double by_step = is_exact ? 0 : 4 * StoreStep::velocity / vector(was.velocity_m_s).norm();
+      EXPECT_NEAR(is.total_J(), was.total_J(), (1e-9 + by_step) * (1 + std::abs(was.total_J())));
     }
     EXPECT_GT(4 * exact, 3 * are.size());
   }

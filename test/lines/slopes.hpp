@@ -54,7 +54,8 @@ horizontal_velocity_m_s = 2
 
 /// In section: a face of 20 m, and flat ground on which rocks stay where they land. Five rocks leave the crest with
 /// horizontal velocities of 1 to 5 m/s.
-inline const std::string vertical_face = R"([terrain]
+inline const std::string vertical_face = [] {
+  std::string slope = R"([terrain]
 section = [[0, 20], [10, 20], [10, 0], [60, 0]]
 
 [[material]]
@@ -62,31 +63,10 @@ name = "Sand"
 normal_restitution = 0
 tangential_restitution = 0
 friction_angle_deg = 40
-
-[[seeder]]
-position = [9.9, 20.5]
-mass_kg = 100
-horizontal_velocity_m_s = 1
-
-[[seeder]]
-position = [9.9, 20.5]
-mass_kg = 100
-horizontal_velocity_m_s = 2
-
-[[seeder]]
-position = [9.9, 20.5]
-mass_kg = 100
-horizontal_velocity_m_s = 3
-
-[[seeder]]
-position = [9.9, 20.5]
-mass_kg = 100
-horizontal_velocity_m_s = 4
-
-[[seeder]]
-position = [9.9, 20.5]
-mass_kg = 100
-horizontal_velocity_m_s = 5
 )";
+  for (const char* velocity : {"1", "2", "3", "4", "5"})
+    slope += std::string("[[seeder]]\nposition = [9.9, 20.5]\nmass_kg = 100\nhorizontal_velocity_m_s = ") + velocity + "\n";
+  return slope;
+}();
 
 }  // namespace talus

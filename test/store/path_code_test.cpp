@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "store/stored_models.hpp"
@@ -187,6 +188,25 @@ TEST(PathCode, CutOrChangedBytesAreRefusedOrRead) {
     }
   }
   EXPECT_GT(refused, 1000);
+}
+
+/// The steps of a spin are those of the surface: of a rock without extent they would have no end.
+TEST(PathCode, OfARockThatSpinsWithoutEndIsRefused) {
+  const auto all = rocks_of(models[1]);  // spheres
+  const auto rolls = [](const Both& rock) {
+    return std::ranges::any_of(rock.stored.pieces, [](const PathPiece& piece) {
+      return piece.on_ground && piece.ends.end_spin != piece.spin;
+    });
+  };
+  const auto rock = std::ranges::find_if(all, rolls);
+  ASSERT_NE(rock, all.end());
+  std::string bytes = rock->bytes;
+  const std::size_t place = bytes.find(std::string(reinterpret_cast<const char*>(&rock->record.body.radius), 8));
+  ASSERT_NE(place, std::string::npos);
+  const double tiny = std::numeric_limits<double>::denorm_min();
+  std::memcpy(bytes.data() + place, &tiny, sizeof tiny);
+  StoredTrajectory into;
+  EXPECT_THROW(decode_path(bytes, Vec3(0, 0, -9.80665), into), BadBytes);
 }
 
 }  // namespace

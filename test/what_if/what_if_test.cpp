@@ -231,18 +231,18 @@ TEST(WhatIf, TakesAFairSample) {
 TEST(WhatIf, KeepsWhatIsDoneWhenItIsStopped) {
   Asked asked(read(replaced(bouncing_slope, "rocks = 400", "rocks = 5000")), bench);
   std::atomic<bool> stop{false};
-  std::uint64_t told = 0;
+  std::uint64_t reported = 0;
   const StopScope scope(&stop);
   EXPECT_FALSE(asked.what_if->run({.progress = [&](std::uint64_t done, std::uint64_t) {
-    told = done;
+    reported = done;
     stop = true;
   }}));
-  EXPECT_GT(told, 0u);
-  EXPECT_LT(told, 5000u);
+  EXPECT_GT(reported, 0u);
+  EXPECT_LT(reported, 5000u);
   stop = false;
   const Answer answer = asked.what_if->answer(0);
-  EXPECT_EQ(answer.rocks, told);
-  EXPECT_EQ(answer.base.share->of, told);
+  EXPECT_EQ(answer.rocks, reported);
+  EXPECT_EQ(answer.base.share->of, reported);
 }
 
 TEST(WhatIf, EndsInTime) {

@@ -303,7 +303,8 @@ class Decoder {
         if (where_[departed_] == at_departure) rock_.rows[departed_].motion = now_;
       }
       (tag & piece_on_ground) != 0 ? read_part(tag) : read_flight(tag);
-      expect_bytes(now_.position.allFinite() && now_.velocity.allFinite() && std::isfinite(now_.time),
+      expect_bytes(now_.position.allFinite() && now_.velocity.allFinite() && now_.spin.allFinite() &&
+                       std::isfinite(now_.time),
                    "a path is not finite");
     }
     return now_;

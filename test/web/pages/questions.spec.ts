@@ -71,7 +71,8 @@ test('the four questions are answered as by collectors', async ({ workbench: pag
   expect(await number('95 % energy')).toBeCloseTo(Number((design.percentiles.ke_translational_J!['95']![0] / 1000).toPrecision(3)), 6);
   expect(await number('95 % height')).toBeCloseTo(Number(design.percentiles.height_m!['95']![0].toPrecision(3)), 6);
 
-  // Where do they come from? All of them from the places of release that the card lists, as many as crossed.
+  // Where do they come from? All from the one place of release; the filter leaves as many as crossed.
+  await expect(card.locator('.asked-sources li button')).toHaveText(new RegExp(`Crest: ${crossing.size} of 400, `));
   await card.getByLabel('Only rocks that cross').check();
   await page.getByRole('tab', { name: 'Overview' }).click();
   await expect(page.locator('.results .filter-note')).toContainText(`${crossing.size} of 400 rocks: cross the asked line`);
