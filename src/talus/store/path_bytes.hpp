@@ -10,6 +10,7 @@
 
 #include "talus/core/bytes.hpp"
 #include "talus/rocks/motion.hpp"
+#include "talus/rocks/rock.hpp"
 #include "talus/store/ground_parts.hpp"
 #include "talus/store/varint.hpp"
 #include "talus/trajectory/rock_log.hpp"
@@ -159,6 +160,10 @@ template <class Number>
 [[nodiscard]] inline Vec3 expected_spin(const Motion& start, const Vec3& end_velocity) {
   const double speed = start.velocity.norm();
   return speed > 0 ? Vec3(end_velocity.norm() / speed * start.spin) : start.spin;
+}
+
+[[nodiscard]] inline double inertia_of_sphere(const Rock& rock) {
+  return 0.4 * rock.mass * rock.radius * rock.radius;
 }
 
 /// The motion at the end of a flight, computed as the run does.
