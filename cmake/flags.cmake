@@ -13,6 +13,8 @@ target_compile_options(talus_own_flags INTERFACE
   -Wno-missing-field-initializers -Wno-psabi
   # sqrt and the like need not set errno: they become one instruction, with the same results.
   -fno-math-errno
+  # Code for a shared library may call its own functions directly.
+  $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>
   # A vector's coordinates are written one by one; reading two at once would wait until both are in memory.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 # No fused multiply-add: the bits of a result must not depend on what the compiler fuses.

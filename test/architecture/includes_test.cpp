@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include "support/places.hpp"
+
 namespace talus {
 namespace {
 
@@ -79,7 +81,7 @@ std::vector<fs::path> sources(const fs::path& root) {
   return files;
 }
 
-const fs::path root = fs::path(TALUS_SOURCE_DIR);
+const fs::path root = fs::path(talus::places::source_dir);
 
 TEST(Architecture, RoomsIncludeOnlyWhatIsTheirs) {
   const fs::path source = root / "src" / "talus";

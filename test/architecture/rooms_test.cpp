@@ -13,12 +13,14 @@
 #include <string>
 #include <vector>
 
+#include "support/places.hpp"
+
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path source = fs::path(TALUS_SOURCE_DIR) / "src";
+const fs::path source = fs::path(talus::places::in_source("/src"));
 
 struct Room {
   std::string name;
@@ -50,7 +52,7 @@ std::vector<std::string> folders_of_the_source() {
 
 // The rooms of which a header would be found where a file of the room is compiled.
 std::set<std::string> seen_by(const std::string& room) {
-  std::ifstream in(fs::path(TALUS_BINARY_DIR) / "rooms" / (room + ".txt"));
+  std::ifstream in(fs::path(talus::places::binary_dir) / "rooms" / (room + ".txt"));
   std::set<std::string> seen;
   for (std::string folder; std::getline(in, folder);)
     for (const std::string& name : folders_of_the_source())

@@ -1,5 +1,6 @@
 // Study files: what is read, and the exact text of what is refused.
 
+#include "support/places.hpp"
 #include "talus/calibration/study.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ TEST(Study, NeedsSitesObservationsAndParameters) {
 }
 
 TEST(Study, HasEveryKeyInTheDocumentation) {
-  std::ifstream in(TALUS_SOURCE_DIR "/docs/calibration.md");
+  std::ifstream in(talus::places::in_source("/docs/calibration.md"));
   std::ostringstream page;
   page << in.rdbuf();
   for (const project::Table& table : study_tables()) {

@@ -1,3 +1,4 @@
+#include "support/places.hpp"
 #include "talus/campaign/block_worker.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ using namespace std::chrono_literals;
 
 Model tutorial_model() {
   Problems warnings;
-  const std::filesystem::path file = TALUS_SOURCE_DIR "/examples/tutorial-1/tutorial-1-2d.toml";
+  const std::filesystem::path file = talus::places::in_source("/examples/tutorial-1/tutorial-1-2d.toml");
   return project::build_model(project::read_project(file, {{}, 2000, {}}).project, warnings);
 }
 

@@ -1,5 +1,6 @@
 // Results do not depend on threads, on blocks, or on the order of rocks; a campaign can be stopped.
 
+#include "support/places.hpp"
 #include "talus/campaign/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ namespace {
 
 Model tutorial_model(const char* dimensions, std::int64_t rocks, std::vector<std::string> settings = {}) {
   Problems warnings;
-  const auto file = std::filesystem::path(TALUS_SOURCE_DIR "/examples/tutorial-1") /
+  const auto file = std::filesystem::path(talus::places::in_source("/examples/tutorial-1")) /
                     (std::string("tutorial-1-") + dimensions + ".toml");
   return project::build_model(project::read_project(file, {std::move(settings), rocks, {}}).project, warnings);
 }

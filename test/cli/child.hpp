@@ -14,6 +14,8 @@
 #include <thread>
 #include <vector>
 
+#include "support/places.hpp"
+
 extern char** environ;
 
 namespace talus::test {
@@ -41,7 +43,7 @@ class Child {
   Child(const std::vector<std::string>& arguments, const std::filesystem::path& said,
         const std::vector<std::string>& before = {}) {
     std::vector<std::string> words = before;
-    words.emplace_back(TALUS_PROGRAM);
+    words.emplace_back(talus::places::program);
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> pointers;
     for (std::string& word : words) pointers.push_back(word.data());

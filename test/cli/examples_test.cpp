@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cli/run_files.hpp"
+#include "support/places.hpp"
 
 namespace talus {
 namespace {
@@ -15,7 +16,7 @@ using namespace test;
 TEST(Examples, PassTheCheckAndRun) {
   const Workplace place;
   int count = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(TALUS_SOURCE_DIR "/examples")) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(talus::places::in_source("/examples"))) {
     if (entry.path().extension() != ".toml") continue;
     if (entry.path().stem() == "study") {
       const std::string out = (place / "study").string();
@@ -46,7 +47,7 @@ TEST(Examples, RocksFromTheCraterRimComeToRestInTheModel) {
   const Workplace place;
   for (const std::string model : {"lumped_mass", "rigid_sphere"}) {
     const std::string out = (place / model).string();
-    const Said ran = talus_says("run " TALUS_SOURCE_DIR "/examples/maungawhau/crater.toml -o " + out +
+    const Said ran = talus_says("run " + talus::places::in_source("/examples/maungawhau/crater.toml") + " -o " + out +
                                 " --rocks 500 --set analysis.model=" + model);
     EXPECT_EQ(ran.exit_code, 0) << ran.text;
     const auto ends = nlohmann::json::parse(bytes_of(out + "/summary.json")).at("end_reasons");

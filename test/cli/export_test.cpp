@@ -12,6 +12,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/places.hpp"
 #include "talus/archive/table_columns.hpp"
 #include "talus/files/csv_table.hpp"
 #include "talus/store/ground_parts.hpp"
@@ -152,7 +153,7 @@ TEST(Store, AllDivisionsOfTheRocksGiveItsBytes) {
 
 /// The first block of code in Python of a page.
 std::string python_of(const std::string& page) {
-  const std::string text = bytes_of(fs::path(TALUS_SOURCE_DIR) / "docs" / page);
+  const std::string text = bytes_of(fs::path(talus::places::in_source("/docs")) / page);
   const std::size_t begin = text.find("```python\n") + 10;
   return text.substr(begin, text.find("```", begin) - begin);
 }

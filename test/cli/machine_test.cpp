@@ -13,6 +13,7 @@
 #include "cli/child.hpp"
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/places.hpp"
 
 namespace talus::test {
 namespace {
@@ -22,8 +23,8 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::string gis = TALUS_SOURCE_DIR "/examples/first-gis-run/first-gis-run.toml";
-const std::string crater = TALUS_SOURCE_DIR "/examples/maungawhau/";
+const std::string gis = talus::places::in_source("/examples/first-gis-run/first-gis-run.toml");
+const std::string crater = talus::places::in_source("/examples/maungawhau/");
 
 #ifdef TALUS_HAS_GDAL
 

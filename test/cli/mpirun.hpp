@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "support/places.hpp"
+
 namespace talus::test {
 
 inline bool has_mpirun() { return std::system("command -v mpirun >/dev/null 2>&1") == 0; }
@@ -19,9 +21,9 @@ inline std::vector<std::string> environment_of_mpi() {
 #if defined(__SANITIZE_ADDRESS__)
   // Whole stacks, through code without frame pointers: suppressions match MPI's leaks by their callers.
   return {"ASAN_OPTIONS=fast_unwind_on_malloc=0:malloc_context_size=50",
-          "LSAN_OPTIONS=print_suppressions=0:suppressions=" TALUS_SOURCE_DIR "/cmake/asan/suppressions"};
+          "LSAN_OPTIONS=print_suppressions=0:suppressions=" + talus::places::in_source("/cmake/asan/suppressions")};
 #elif defined(__SANITIZE_THREAD__)
-  return {"TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=" TALUS_SOURCE_DIR "/cmake/tsan/suppressions"};
+  return {"TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=" + talus::places::in_source("/cmake/tsan/suppressions")};
 #else
   return {};
 #endif

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 
+#include "support/places.hpp"
+
 namespace talus::test {
 
 struct Said {
@@ -31,7 +33,7 @@ inline Said says(const std::string& command) {
 }
 
 inline Said talus_says(const std::string& arguments, const std::string& before = "") {
-  return says(before + TALUS_PROGRAM " " + arguments);
+  return says(before + talus::places::program + " " + arguments);
 }
 
 /// A temporary folder for one test, removed with the object.
@@ -66,7 +68,7 @@ class Workplace {
 };
 
 inline std::string tutorial(const char* dimensions) {
-  return std::string(TALUS_SOURCE_DIR "/examples/tutorial-1/tutorial-1-") + dimensions + ".toml";
+  return talus::places::in_source("/examples/tutorial-1/tutorial-1-") + dimensions + ".toml";
 }
 
 }  // namespace talus::test

@@ -20,6 +20,7 @@
 #include "cli/program.hpp"
 #include "support/browser.hpp"
 #include "support/pictures.hpp"
+#include "support/places.hpp"
 #include "talus/files/sha256.hpp"
 
 namespace talus::test {
@@ -224,7 +225,7 @@ done
 printf '%s\n' "$@" > )" + (work / "words").string() +
                                                  "\n");
   const std::string name = (work / "a; touch b & $(touch c).pdf").string();
-  const Said said = says("CHROME=" + browser + " " TALUS_PROGRAM " report " + out() + " --pdf '" + name + "'");
+  const Said said = says("CHROME=" + browser + " " + talus::places::program + " report " + out() + " --pdf '" + name + "'");
   EXPECT_EQ(said.exit_code, 2) << said.text;
   EXPECT_THAT(said.text, HasSubstr("did not print the report"));
   EXPECT_THAT(names(), ElementsAre("browser", "logo.png", "out", "slope.toml", "words"));

@@ -15,6 +15,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/places.hpp"
 
 namespace talus::test {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 int code_of(std::string command) {
   const std::string name = "TALUS";
   for (auto at = command.find(name); at != std::string::npos; at = command.find(name))
-    command.replace(at, name.size(), TALUS_PROGRAM);
+    command.replace(at, name.size(), talus::places::program);
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }

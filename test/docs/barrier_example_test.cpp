@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 
+#include "support/places.hpp"
 #include "support/projects.hpp"
 #include "talus/model/design_plan.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 using testing_tools::model_of;
 
 TEST(BarrierDesignPage, HasAnExampleThatTheProgramAgreesWith) {
-  std::ifstream in(TALUS_SOURCE_DIR "/docs/barrier-design.md");
+  std::ifstream in(talus::places::in_source("/docs/barrier-design.md"));
   const std::string page{std::istreambuf_iterator<char>(in), {}};
   const std::string example = page.substr(page.find("## A worked example"));
   const std::string fence = "```toml\n";

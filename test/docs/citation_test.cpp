@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "support/places.hpp"
+
 namespace talus {
 namespace {
 
@@ -15,7 +17,7 @@ using ::testing::Key;
 
 /// The keys of the file's top level with the rest of their lines.
 std::map<std::string, std::string> citation() {
-  std::ifstream in(TALUS_SOURCE_DIR "/CITATION.cff");
+  std::ifstream in(talus::places::in_source("/CITATION.cff"));
   std::map<std::string, std::string> entries;
   for (std::string line; std::getline(in, line);) {
     const std::size_t colon = line.find(':');

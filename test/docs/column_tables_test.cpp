@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/places.hpp"
 #include "talus/archive/column_reference.hpp"
 #include "talus/archive/design_tables.hpp"
 #include "talus/archive/envelope_table.hpp"
@@ -35,7 +36,7 @@ std::string text_of(const std::string& file) {
 }
 
 void expect_fresh(const std::string& name, const std::string& made) {
-  const std::string file = std::string(TALUS_SOURCE_DIR) + name;
+  const std::string file = talus::places::in_source(name);
   if (std::getenv("TALUS_RENEW_REFERENCE") != nullptr) std::ofstream(file) << made;
   EXPECT_TRUE(text_of(file) == made) << name
                                      << " differs from the declared columns; run this test with "
@@ -89,7 +90,7 @@ TEST(ColumnTables, PageIsNotStale) {
   std::set<std::string> seen;
   for (const char* name : {"/docs/outputs.md", "/docs/barrier-design.md", "/docs/gis.md", "/docs/predictions.md",
                            "/docs/sensitivity.md", "/docs/ask-the-line.md"})
-    expect_fresh(name, with_tables(text_of(std::string(TALUS_SOURCE_DIR) + name), seen));
+    expect_fresh(name, with_tables(text_of(talus::places::in_source(name)), seen));
   EXPECT_EQ(seen.size(), tables().size()) << "every table has its columns in the documentation";
 }
 

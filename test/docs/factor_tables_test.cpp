@@ -8,13 +8,14 @@
 #include <regex>
 #include <string>
 
+#include "support/places.hpp"
 #include "talus/project/factor_set.hpp"
 
 namespace talus::project {
 namespace {
 
 TEST(FactorTables, PageIsNotStale) {
-  const std::string file = TALUS_SOURCE_DIR "/docs/barrier-design.md";
+  const std::string file = talus::places::in_source("/docs/barrier-design.md");
   std::ifstream in(file);
   const std::string page{std::istreambuf_iterator<char>(in), {}};
   std::string made = page;

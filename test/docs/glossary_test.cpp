@@ -17,6 +17,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/places.hpp"
 #include "talus/archive/table_columns.hpp"
 #include "talus/maps/map_list.hpp"
 #include "talus/project/schema.hpp"
@@ -47,7 +48,7 @@ struct Entry {
 
 std::vector<Entry> glossary() {
   std::vector<Entry> entries;
-  std::ifstream in(TALUS_SOURCE_DIR "/docs/glossary.md");
+  std::ifstream in(talus::places::in_source("/docs/glossary.md"));
   for (std::string line; std::getline(in, line);) {
     if (!line.starts_with("| ") || line.starts_with("| term ") || line.starts_with("| --- ")) continue;
     const std::vector<std::string> cells = parts_of(line, '|');

@@ -14,6 +14,7 @@
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
 #include "docs/guide_page.hpp"
+#include "support/places.hpp"
 
 namespace talus::test {
 namespace {
@@ -23,7 +24,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-const fs::path guides = TALUS_SOURCE_DIR "/docs/guides";
+const fs::path guides = talus::places::in_source("/docs/guides");
 
 std::vector<std::string> guide_names() {
   std::vector<std::string> names;
@@ -40,8 +41,8 @@ class GuideFolder {
   GuideFolder() {
     fs::create_directories(folder_ / "programs");
     fs::create_directories(folder_ / "work");
-    fs::create_symlink(TALUS_PROGRAM, folder_ / "programs/talus");
-    fs::copy(TALUS_SOURCE_DIR "/examples", folder_ / "work/examples", fs::copy_options::recursive);
+    fs::create_symlink(talus::places::program, folder_ / "programs/talus");
+    fs::copy(talus::places::in_source("/examples"), folder_ / "work/examples", fs::copy_options::recursive);
   }
 
   void write(const ShownFile& file) const { (void)folder_.write("work/" + file.name, file.text); }

@@ -11,13 +11,15 @@
 #include <string>
 #include <vector>
 
+#include "support/places.hpp"
+
 namespace talus {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::IsEmpty;
 
-const fs::path root = TALUS_SOURCE_DIR;
+const fs::path root = talus::places::source_dir;
 
 std::vector<std::string> lines_of(const fs::path& file) {
   std::ifstream in(file);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "fuzz/targets.hpp"
+#include "support/places.hpp"
 
 namespace talus::fuzz {
 
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path corpus = fs::path(TALUS_SOURCE_DIR) / "fuzz/corpus";
+const fs::path corpus = fs::path(talus::places::in_source("/fuzz/corpus"));
 
 std::vector<fs::path> inputs_of(const Target& target) {
   std::vector<fs::path> files;

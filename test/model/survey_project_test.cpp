@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "support/input_folder.hpp"
+#include "support/places.hpp"
 #include "support/projects.hpp"
 #include "talus/campaign/simulate.hpp"
 
@@ -153,7 +154,7 @@ polylines = [
 )";
 
 std::string published_bowl(std::string_view without) {
-  std::ifstream in(TALUS_SOURCE_DIR "/verification/2-bowl-lumped-mass/bowl.toml");
+  std::ifstream in(talus::places::in_source("/verification/2-bowl-lumped-mass/bowl.toml"));
   std::string text, line;
   while (std::getline(in, line)) {
     if (!line.starts_with(without)) text += line + '\n';

@@ -1,3 +1,4 @@
+#include "support/places.hpp"
 #include "talus/project/material_library.hpp"
 
 #include <gmock/gmock.h>
@@ -142,7 +143,7 @@ TEST(MaterialLibrary, PropertiesInWords) {
 }
 
 TEST(MaterialsPage, IsNotStale) {
-  const std::string file = TALUS_SOURCE_DIR "/docs/materials.md";
+  const std::string file = talus::places::in_source("/docs/materials.md");
   if (std::getenv("TALUS_RENEW_REFERENCE") != nullptr) std::ofstream(file) << materials_page();
   std::ifstream in(file);
   std::ostringstream text;

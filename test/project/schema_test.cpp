@@ -1,6 +1,7 @@
 // The JSON Schema, the reference page and the TypeScript module, which are generated from the declaration of the
 // settings.
 
+#include "support/places.hpp"
 #include "talus/project/schema.hpp"
 
 #include <gtest/gtest.h>
@@ -153,7 +154,7 @@ TEST(SettingsOfOneRockModel, AreMarkedInTheSchemaAndTheReference) {
 }
 
 void expect_fresh(const std::string& name, const std::string& made) {
-  const std::string file = std::string(TALUS_SOURCE_DIR) + name;
+  const std::string file = talus::places::in_source(name);
   if (std::getenv("TALUS_RENEW_REFERENCE")) std::ofstream(file) << made;
   std::ifstream stream(file);
   ASSERT_TRUE(stream) << file;

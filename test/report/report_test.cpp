@@ -1,3 +1,4 @@
+#include "support/places.hpp"
 #include "talus/report/report.hpp"
 
 #include <gmock/gmock.h>
@@ -142,7 +143,7 @@ TEST(Report, ShowsNamesAsTextAndNeverAsMarkup) {
   // The page's scripts and the figures set text and attributes only; the bundle of the figures also has D3's own
   // functions.
   std::string scripts(assets::script);
-  for (const auto& file : std::filesystem::directory_iterator(TALUS_SOURCE_DIR "/web/src/figures")) {
+  for (const auto& file : std::filesystem::directory_iterator(talus::places::in_source("/web/src/figures"))) {
     std::ifstream in(file.path());
     if (file.path().extension() == ".ts") scripts += std::string(std::istreambuf_iterator<char>(in), {});
   }

@@ -1,6 +1,7 @@
 // Calibrations of the server, and observed rocks beside a model and a run.
 
 #include "server/served_runs.hpp"
+#include "support/places.hpp"
 
 #include <gmock/gmock.h>
 
@@ -19,7 +20,7 @@ class ServedCalibrations : public ServedRuns {
     write("slope.toml", project_);
     write("stops.csv", text_of(example("stops.csv")));
   }
-  static std::string example(const std::string& file) { return TALUS_SOURCE_DIR "/examples/calibration/" + file; }
+  static std::string example(const std::string& file) { return talus::places::in_source("/examples/calibration/") + file; }
   static std::string study(const std::string& parameters = "") {
     return "rocks = 40\ndraws = 60\nrounds = 2\n[[site]]\nproject = \"slope.toml\"\n"
            "[[observations]]\nstops = \"stops.csv\"\n"

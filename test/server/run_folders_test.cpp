@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "support/listener.hpp"
+#include "support/places.hpp"
 #include "talus/files/folder_lock.hpp"
 
 namespace talus {
@@ -175,7 +176,7 @@ TEST_F(RunFolders, FromElsewhereAreNotOpenedWithoutARequest) {
   Json file = Json::parse(read(folder + "run.json"));
   file["state"] = "running";
   write(folder + "run.json", file.dump());
-  std::string project = test::bytes_of(TALUS_SOURCE_DIR "/examples/maungawhau/maungawhau.toml");
+  std::string project = test::bytes_of(talus::places::in_source("/examples/maungawhau/maungawhau.toml"));
   const std::string raster = "maungawhau.asc";
   write(folder + "project.toml",
         project.replace(project.rfind(raster), raster.size(), "/vsicurl/" + listener.address() + "/dem.asc"));

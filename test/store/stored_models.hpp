@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "support/places.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
@@ -36,7 +37,7 @@ inline const std::vector<NamedModel> models{
 };
 
 inline Model model_of(const NamedModel& named) {
-  const std::string file = std::string(TALUS_SOURCE_DIR) + "/examples/" + named.file;
+  const std::string file = std::string(talus::places::source_dir) + "/examples/" + named.file;
   const project::Reading reading = project::read_project(file, {named.settings, {}, {}});
   Problems warnings;
   return project::build_model(reading.project, warnings);

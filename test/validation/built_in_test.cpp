@@ -11,6 +11,7 @@
 #include <string>
 
 #include "support/input_folder.hpp"
+#include "support/places.hpp"
 #include "talus/calibration/observation_table.hpp"
 #include "talus/validation/experiments.hpp"
 #include "talus/validation/results.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::filesystem::path experiments_folder = std::filesystem::path(TALUS_SOURCE_DIR) / "validation";
+const std::filesystem::path experiments_folder = std::filesystem::path(talus::places::in_source("/validation"));
 
 std::string file_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -68,7 +69,7 @@ TEST_F(BuiltInExperiments, HalvesOfTschamutHaveEveryRunOnce) {
 }
 
 TEST_F(BuiltInExperiments, ResultsInTheDocumentationIsNotStale) {
-  const std::string file = std::string(TALUS_SOURCE_DIR) + "/docs/validation.md";
+  const std::string file = talus::places::in_source("/docs/validation.md");
   std::string page = file_text(file);
   for (const std::string& name : experiment_names()) {
     Problems doubts;

@@ -1,3 +1,4 @@
+#include "support/places.hpp"
 #include "talus/verification/case.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Files repository_cases() { return cases_in(std::string(TALUS_SOURCE_DIR) + "/verification"); }
+Files repository_cases() { return cases_in(talus::places::in_source("/verification")); }
 
 constexpr std::string_view good_case = R"(
 title = "A case"
@@ -151,7 +152,7 @@ TEST(ChosenCases, RefuseAnUnknownName) {
 }
 
 TEST(CasesIn, RefusesAFolderWithoutCases) {
-  const std::string folder = std::string(TALUS_SOURCE_DIR) + "/cmake";
+  const std::string folder = talus::places::in_source("/cmake");
   try {
     static_cast<void>(cases_in(folder));
     FAIL() << "accepted";

@@ -1,3 +1,4 @@
+#include "support/places.hpp"
 #include "talus/verification/sampling_spread.hpp"
 
 #include <gtest/gtest.h>
@@ -91,7 +92,7 @@ TEST(Statistic, NamesGoBothWays) {
 class TutorialSpread : public testing::Test {
  protected:
   static std::vector<double> runouts(std::vector<std::string> settings) {
-    const Files files = cases_in(std::string(TALUS_SOURCE_DIR) + "/verification");
+    const Files files = cases_in(talus::places::in_source("/verification"));
     project::Reading reading = project::read_project_text(
         files.at("1-tutorial-1/scenario-2-2d.toml"), "scenario-2-2d.toml", {std::move(settings), 20'000, std::nullopt});
     return observe(project::build_model(reading.project, reading.warnings), Energies::skip)
@@ -99,7 +100,7 @@ class TutorialSpread : public testing::Test {
   }
   /// How many of the five statistics of a column of table 1-3, each moved by `shift`, are outside the spread.
   static int outside(const std::vector<double>& many, std::string_view column, double shift = 0) {
-    const Files files = cases_in(std::string(TALUS_SOURCE_DIR) + "/verification");
+    const Files files = cases_in(talus::places::in_source("/verification"));
     const PublishedTable table(files.at("1-tutorial-1/table-1-3.csv"), "table-1-3.csv");
     const SamplingSpread spread(many, 50);
     int count = 0;

@@ -1,3 +1,4 @@
+#include "support/places.hpp"
 #include "talus/verification/verify.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace {
 
 using testing::HasSubstr;
 
-Files cases_of_the_repository() { return cases_in(std::string(TALUS_SOURCE_DIR) + "/verification"); }
+Files cases_of_the_repository() { return cases_in(talus::places::in_source("/verification")); }
 
 CaseResult verified(const Files& files, const std::string& name) { return verify(read_case(files, name), files); }
 
@@ -149,7 +150,7 @@ TEST(Show, JsonHasEveryNumber) {
 
 // The numbers on the page require a run of all cases; this checks that its texts are those of the cases.
 TEST(VerificationPage, IsNotStale) {
-  std::ifstream stream(std::string(TALUS_SOURCE_DIR) + "/docs/verification.md");
+  std::ifstream stream(talus::places::in_source("/docs/verification.md"));
   ASSERT_TRUE(stream) << "create it: talus verify --page docs/verification.md";
   std::ostringstream whole;
   whole << stream.rdbuf();
@@ -171,7 +172,7 @@ struct Outcome {
 };
 Outcome program(const std::string& arguments) {
   Outcome outcome{-1, {}};
-  std::FILE* pipe = popen((std::string(TALUS_PROGRAM) + " verify " + arguments + " 2>&1").c_str(), "r");
+  std::FILE* pipe = popen((std::string(talus::places::program) + " verify " + arguments + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return outcome;
   std::array<char, 4096> part{};
   while (const std::size_t read = std::fread(part.data(), 1, part.size(), pipe)) outcome.text.append(part.data(), read);
