@@ -94,6 +94,15 @@ struct WhatIfOptions {
 };
 int what_if(const WhatIfOptions& options);
 
+struct SectionOptions {
+  std::filesystem::path terrain;  // a project, a raster or a mesh
+  std::string line;               // as in LineOptions
+  std::string crs;                // of a raster or mesh that names none; empty: that of the file
+  double tolerance_m = 0;
+  std::filesystem::path file;  // empty: standard output
+};
+int section(const SectionOptions& options);
+
 struct ReportOptions {
   std::vector<std::filesystem::path> folders;
   std::filesystem::path file;         // empty: report.html in the first folder, or compare.html for several

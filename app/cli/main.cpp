@@ -214,6 +214,30 @@ int dispatch(int argc, char** argv) {
   line_command->add_flag("--csv", line_options.csv, "Print the rows of design.csv instead of a table")
       ->excludes(json_file);
 
+  SectionOptions section_options;
+  CLI::App* section_command = app.add_subcommand("section", "Cut a section from a terrain along a line on plan");
+  section_command->add_option("terrain", section_options.terrain, "A raster or mesh in metres, or a project in 3D")
+      ->required()
+      ->check(names_file)
+      ->type_name("TERRAIN");
+  section_command
+      ->add_option("--line", section_options.line,
+                   "Corners \"x,y x,y ...\", a table (.csv) with the columns x_m and y_m, or a GIS file with one line")
+      ->required()
+      ->check(names_line)
+      ->type_name("LINE");
+  section_command
+      ->add_option("--tolerance", section_options.tolerance_m,
+                   "Leave out vertices within this distance of the line through the others")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("M");
+  section_command->add_option("--crs", section_options.crs, "Coordinate system of a file that names none, or \"local\"")
+      ->type_name("CRS");
+  section_command
+      ->add_option("-o,--output", section_options.file, "File for the table (default: standard output)")
+      ->check(names_file)
+      ->type_name("FILE.csv");
+
   WhatIfOptions what_if_options;
   CLI::App* what_if_command = app.add_subcommand(
       "what-if",
@@ -386,6 +410,7 @@ int dispatch(int argc, char** argv) {
   if (*check_command) return check(check_options);
   if (*replay_command) return replay(replay_options);
   if (*line_command) return line(line_options);
+  if (*section_command) return section(section_options);
   if (*what_if_command) return what_if(what_if_options);
   if (*report_command) return report(report_options);
   if (*export_command) return export_paths(export_options);

@@ -1,11 +1,18 @@
 #pragma once
 // Projects that together give every key a value other than its default, and helpers to compare them.
 
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "support/dxf.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/read.hpp"
 #include "talus/project/settings.hpp"
@@ -329,8 +336,26 @@ name_attribute = "scar"
 rocks_per_row = 4
 )";
 
-inline const std::vector<const char*> samples{survey,    inline_polylines, polygon_file, in_2d,   inline_mesh,
-                                              mesh_file, raster_file,      from_gis,     extruded};
+/// The section of a drawing, which is read with the project.
+inline const std::string section_file = [] {
+  const auto drawing = std::filesystem::path(testing::TempDir()) / fmt::format("talus_section_{}.dxf", getpid());
+  std::ofstream(drawing) << testing_tools::Drawing().unit(6).polyline("GROUND", false, {"0 20", "10 5", "30 0"}).text();
+  return fmt::format(R"(
+[terrain]
+section = "{}"
+section_layer = "GROUND"
+section_tolerance_m = 0.25
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, 25]
+mass_kg = 10
+)",
+                     drawing.string());
+}();
+
+inline const std::vector<const char*> samples{survey,    inline_polylines, polygon_file, in_2d,    inline_mesh,
+                                              mesh_file, raster_file,      from_gis,     extruded, section_file.c_str()};
 
 inline nlohmann::ordered_json as_json(const char* toml_text) {
   const toml::table parsed = toml::parse(std::string_view(toml_text));

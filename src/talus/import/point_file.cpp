@@ -16,6 +16,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
+#include "talus/files/data_table.hpp"
 #include "talus/files/first_problems.hpp"
 #include "talus/files/mesh_problems.hpp"
 #include "talus/files/ordinary_file.hpp"
@@ -93,6 +94,13 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   return std::nullopt;
 }
 
+// "distance_m", "Station": where a point of a section is along it.
+bool means_distance(std::string_view name) {
+  const std::string plain = plain_column_name(name);
+  return std::ranges::any_of(std::array<std::string_view, 3>{"distance", "station", "chainage"},
+                             [&](std::string_view word) { return plain == word || plain == fmt::format("{}_m", word); });
+}
+
 bool means_degrees(std::string_view name) {
   const std::string word = lower(name);
   return word.starts_with("lat") || word.starts_with("lon") || word == "lng";
@@ -102,7 +110,11 @@ bool means_degrees(std::string_view name) {
 
 class PointReader {
  public:
-  explicit PointReader(const std::filesystem::path& path) : file_(path.string()), problems_(file_, "lines") {}
+  PointReader(const std::filesystem::path& path, bool y_is_needed)
+      : file_(path.string()), problems_(file_, "lines"), has_y_(y_is_needed), y_is_needed_(y_is_needed) {}
+
+  /// Without y in the file, it is 0.
+  [[nodiscard]] bool has_y() const { return has_y_; }
 
   std::vector<Vec3> read() {
     std::ifstream stream = opened();
@@ -128,6 +140,7 @@ class PointReader {
         if (!has_names_) {
           named_at_ = line_number();
           column_count_ = count_columns();
+          if (!y_is_needed_) expect_section_columns();
           may_have_decimal_commas_ = separator_ == ',' && column_count_ >= 6;
         }
       } else {
@@ -245,14 +258,23 @@ class PointReader {
     for (const std::string_view word : words_) {
       if (const auto named = meaning_of(word)) found[named->axis] = true;
     }
-    return found[0] && found[1] && found[2];
+    if (!y_is_needed_ && std::ranges::any_of(words_, means_distance)) found[0] = true;
+    return found[0] && (found[1] || !y_is_needed_) && found[2];
+  }
+
+  // A section without names has two columns, distance and height, or three, x, y and z.
+  void expect_section_columns() {
+    has_y_ = column_count_ != 2;
+    if (!has_y_) columns_ = {0, 0, 1};
   }
 
   void name_columns() {
     std::array<std::optional<std::size_t>, 3> columns;
+    const auto distance = y_is_needed_ ? words_.end() : std::ranges::find_if(words_, means_distance);
+    if (distance != words_.end()) columns[0] = static_cast<std::size_t>(distance - words_.begin());
     for (std::size_t i = 0; i < words_.size(); ++i) {
       const auto named = meaning_of(words_[i]);
-      if (!named) continue;
+      if (!named || (distance != words_.end() && named->axis < 2)) continue;
       if (named->in_feet) {
         stop_at_line(fmt::format("column {} is in feet", in_quotes(words_[i])),
                      "Talus needs coordinates and heights in metres",
@@ -269,8 +291,10 @@ class PointReader {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (columns[axis]) {
         columns_[axis] = *columns[axis];
+        has_y_ = has_y_ || axis == 1;
         continue;
       }
+      if (axis == 1 && !y_is_needed_) continue;
       for (const std::string_view word : words_) {
         if (axis == 2 || !means_degrees(word)) continue;
         stop_at_line(fmt::format("column {} is in degrees", in_quotes(word)), "Talus needs metres on plan",
@@ -325,8 +349,9 @@ class PointReader {
   void read_point() {
     if (is_too_long()) return;
     may_have_decimal_commas_ = may_have_decimal_commas_ && has_whole_numbers_only();
-    Vec3 point;
+    Vec3 point = Vec3::Zero();
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (axis == 1 && !has_y_) continue;
       if (columns_[axis] >= words_.size()) {
         problems_.add(line_number(), fmt::format("has {} of {} columns", words_.size(), columns_needed()),
                       axis == 2 && words_.size() == 2 ? "a point needs a height" : "a point needs x, y and z");
@@ -364,11 +389,12 @@ class PointReader {
   }
 
   [[nodiscard]] std::size_t columns_needed() const {
-    return 1 + std::max(columns_[0], std::max(columns_[1], columns_[2]));
+    return 1 + std::max({columns_[0], has_y_ ? columns_[1] : 0, columns_[2]});
   }
 
   std::string file_;
   FirstProblems problems_;
+  bool has_y_, y_is_needed_;
   std::vector<Vec3> points_;
   std::size_t number_ = 0;  // of the line, from 1
   char separator_ = ' ';
@@ -386,6 +412,12 @@ class PointReader {
 
 }  // namespace
 
-std::vector<Vec3> read_point_file(const std::filesystem::path& path) { return PointReader(path).read(); }
+std::vector<Vec3> read_point_file(const std::filesystem::path& path) { return PointReader(path, true).read(); }
+
+SectionPoints read_section_points(const std::filesystem::path& path) {
+  PointReader reader(path, false);
+  std::vector<Vec3> points = reader.read();
+  return {std::move(points), reader.has_y()};
+}
 
 }  // namespace talus

@@ -21,4 +21,11 @@ namespace talus {
 /// in feet, if there are no points, or not as many as the file declares.
 [[nodiscard]] std::vector<Vec3> read_point_file(const std::filesystem::path& path);
 
+struct SectionPoints {
+  std::vector<Vec3> points;  // [m]
+  bool has_y = false;        // otherwise x is the distance along the section, and y is 0
+};
+/// The same for a line of points, which may have no y. Without a line of names two columns are distance and height.
+[[nodiscard]] SectionPoints read_section_points(const std::filesystem::path& path);
+
 }  // namespace talus

@@ -64,6 +64,12 @@ void TerrainRules::check() const {
 
 void TerrainRules::check_section(Node section) const {
   const auto& vertices = project.terrain.section;
+  const bool is_in_file = !project.terrain.section_file.empty();
+  if (is_in_file && vertices.empty()) return;  // it could not be read
+  for (const std::string_view key : {"section_layer", "section_tolerance_m"}) {
+    const Node only_of_file = is_in_file ? nullptr : accepted(key);
+    if (only_of_file) refuse(only_of_file, fmt::format("{} is given", key), "the section is not in a file", "Leave it out");
+  }
   if (vertices.size() < 2) {
     refuse(section, fmt::format("section has {}", counted(vertices.size(), "vertex", "vertices")),
            "a slope has two or more");
@@ -71,11 +77,12 @@ void TerrainRules::check_section(Node section) const {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const Node node = entry(section, i);
+    const std::string vertex = fmt::format("[{}, {}]", number_text(vertices[i][0]), number_text(vertices[i][1]));
     if (std::max(std::abs(vertices[i][0]), std::abs(vertices[i][1])) > largest_coordinate_m) {
-      refuse(node, fmt::format("section[{}] is {}", i, quoted(*node)),
+      refuse(node, fmt::format("section[{}] is {}", i, vertex),
              fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
     } else if (i > 0 && vertices[i] == vertices[i - 1]) {
-      refuse(node, fmt::format("section[{}] is {}", i, quoted(*node)), "it repeats the previous vertex",
+      refuse(node, fmt::format("section[{}] is {}", i, vertex), "it repeats the previous vertex",
              "Leave it out");
     } else {
       continue;

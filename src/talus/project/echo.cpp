@@ -102,6 +102,9 @@ struct Writer {
     const auto& limit = *slot.limit;
     return !limit ? Json("all") : *limit == 0 ? Json("none") : Json(*limit);
   }
+  Written operator()(SectionSlot slot) const {
+    return slot.file->empty() ? (*this)(slot.vertices) : (*this)(slot.file);
+  }
   Written operator()(FilesSlot slot) const {
     if (slot.files->empty()) return std::nullopt;
     if (slot.files->size() == 1) return slot.files->front().string();

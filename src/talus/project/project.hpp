@@ -66,7 +66,10 @@ enum class UpAxis { z, y };
 /// (points, lines or both: files), polylines (inline) and polygons (a file). Paths are as written in the file; relative
 /// to the project file.
 struct Terrain {
-  std::vector<std::array<double, 2>> section;            // x, z
+  std::vector<std::array<double, 2>> section;            // x, z; those of the file, if there is one
+  std::filesystem::path section_file;                    // key `section`; as written; relative to the project file
+  std::string section_layer;
+  std::optional<double> section_tolerance_m;
   std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one pair per vertex, or empty; 2D only
   std::optional<double> width_m;                         // of the extrusion along y; without it the analysis is 2D
   std::vector<std::filesystem::path> meshes;  // key `mesh`; as written in the file; relative to the project file

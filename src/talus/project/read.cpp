@@ -12,6 +12,7 @@
 #include "talus/project/check.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/read_table.hpp"
+#include "talus/project/section_of_file.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/project/toml_kind.hpp"
 #include "talus/project/values.hpp"
@@ -148,6 +149,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_place(project, *overrides.rocks, problems);
   if (!problems.has_errors()) complete(project);
   project.named_files = reader.named_files();
+  read_section_of_file(project, problems);
   check(project, document, reader.refused(), problems);
   problems = problems.in_order_of(document.file());
   if (problems.has_errors()) throw BadInput(std::move(problems));

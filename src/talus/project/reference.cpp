@@ -56,6 +56,7 @@ struct Named {
   std::string operator()(PlanPointSlot) const { return "one or two numbers"; }
   std::string operator()(DirectionSlot) const { return "two or three numbers, or `\"downslope\"`"; }
   std::string operator()(LimitSlot) const { return "`\"all\"`, `\"none\"` or whole number"; }
+  std::string operator()(SectionSlot) const { return "list of pairs, or path of a file"; }
   std::string operator()(FilesSlot) const { return "path of a file, or list of paths"; }
   std::string operator()(MapCellSlot) const { return "number or `\"terrain\"`"; }
 };

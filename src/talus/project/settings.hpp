@@ -74,6 +74,10 @@ struct LimitSlot {
 struct MapCellSlot {
   std::optional<double>* size;  // "terrain" (nullopt) or a number of metres
 };
+struct SectionSlot {
+  std::vector<std::array<double, 2>>* vertices;  // [[x, z], ...]
+  std::filesystem::path* file;                   // or the name of a file that has them
+};
 struct FilesSlot {
   std::vector<std::filesystem::path>* files;  // a name, or a list of names
 };
@@ -89,7 +93,8 @@ struct SlotWith<const std::tuple<Listed...>> {
       std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
       std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
       std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*..., PositionSlot, PointsSlot,
-      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, LimitSlot, MapCellSlot, FilesSlot>;
+      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, LimitSlot, MapCellSlot, SectionSlot,
+      FilesSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.

@@ -21,6 +21,12 @@ bool ValueReader::into(const Value& value, MapCellSlot slot) {
   return true;
 }
 
+bool ValueReader::into(const Value& value, SectionSlot slot) {
+  if (value.node.is_string()) return into(value, slot.file);
+  if (!value.node.is_array()) return refuse_kind(value, "a list of vertices [x, z], or a file name in quotes");
+  return into(value, slot.vertices);
+}
+
 bool ValueReader::into(const Value& value, LimitSlot slot) {
   if (const auto* text = value.node.as_string()) {
     if (text->get() == "all") {

@@ -83,6 +83,7 @@ class ValueReader {
   bool into(const Value&, DirectionSlot);
   bool into(const Value&, LimitSlot);
   bool into(const Value&, MapCellSlot);
+  bool into(const Value&, SectionSlot);
   bool into(const Value&, FilesSlot);
   template <class Item>
   bool into(const Value&, std::vector<Item>*);

@@ -32,6 +32,7 @@ const kinds: Partial<Record<Name, FileKind[]>> = {
   mesh: ['mesh'],
   raster: ['raster'],
   mask: ['raster'],
+  section: ['points', 'vector'],
   points: ['points', 'vector'],
   lines: ['vector'],
   boundary: ['vector'],

@@ -26,8 +26,8 @@ export type Kind =
   | { kind: 'list'; of: 'number' | 'whole' | 'text' }
   /// A point or vector. Single numbers may be words, such as "surface"; `instead` are words for the whole tuple.
   | { kind: 'tuple'; least: number; most: number; words: string[]; instead: string[] }
-  /// Rows of such tuples.
-  | { kind: 'rows'; least: number; columns: number; whole: boolean; words: string[] }
+  /// Rows of such tuples; or the name of a file that has them.
+  | { kind: 'rows'; least: number; columns: number; whole: boolean; words: string[]; orFile: boolean }
   | { kind: 'lists of rows'; columns: number }
   /// x in 2D, points on plan in 3D.
   | { kind: 'line' }
@@ -127,7 +127,10 @@ const tupleOf = ({ items, minItems = 1, maxItems = 3 }: Node, instead: string[])
 function alternatives(nodes: Node[]): Kind {
   const words = nodes.find(({ items }) => items?.enum)?.items?.enum;
   if (words && nodes.some(({ type }) => type === 'boolean')) return { kind: 'words', words };
-  if (nodes.some((node) => node['x-file'])) return { kind: 'files' };
+  if (nodes.some((node) => node['x-file'])) {
+    const rows = nodes.map(kindOf).find(({ kind }) => kind === 'rows');
+    return rows?.kind === 'rows' ? { ...rows, orFile: true } : { kind: 'files' };
+  }
   const number = nodes.find(({ type }) => type === 'number' || type === 'integer');
   const parts = nodes.find(({ properties }) => properties?.distribution);
   if (number && parts) return { kind: 'distribution', range: rangeOf(number), parts: fieldsOf(parts) };
@@ -153,6 +156,7 @@ function arrayOf(node: Node): Kind {
       columns: item.maxItems ?? 3,
       whole: inner.type === 'integer',
       words: (inner.anyOf ?? []).flatMap(wordsOf),
+      orFile: false,
     };
   }
   // An array that may be empty is a list, whatever its maximum length.

@@ -20,7 +20,7 @@ export const terrainKinds: TerrainKind[] = [
   {
     name: 'section',
     title: 'Section',
-    what: 'A slope in section, drawn, typed or pasted; 2D, or extruded to a width',
+    what: 'A slope in section, drawn, typed, pasted or from a file; 2D, or extruded to a width',
     keys: ['section'],
     first: [],
   },

@@ -9,8 +9,11 @@ import { distanceToLine } from '../view/nearness';
 
 export interface Profile {
   model: string;
+  /// From left to right.
   vertices: Point2[];
   materials: number[];
+  /// As the project numbers them: descending if its section runs leftwards.
+  segments: number[];
 }
 
 /// The profile of the last valid model.
@@ -38,6 +41,9 @@ effect(() => {
   void fetchProfile(now.id, asking.signal);
   return () => asking.abort();
 });
+
+/// In the order of the project.
+export const asListed = ({ vertices, segments }: Profile) => (segments[0]! > segments.at(-1)! ? vertices.toReversed() : vertices);
 
 /// The ground at x and its segment; null outside the slope.
 export function groundBelow({ vertices }: Profile, x: number): { z: number; segment: number } | null {

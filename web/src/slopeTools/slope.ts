@@ -31,6 +31,8 @@ export function slopeIn(values: TomlTable): { slope: Slope; isListedLeftwards: b
   const rows = rowsIn(terrain.section) ?? [];
   const isPair = (row: TomlValue) => Array.isArray(row) && row.length === 2 && row.every((cell) => typeof cell === 'number' && Number.isFinite(cell));
   if (terrain.width_m !== undefined) throw new Impossible('The section is extruded to 3D. Slope tools are for sections in 2D.');
+  if (typeof terrain.section === 'string')
+    throw new Impossible('The section is in a file. Take its vertices into the project first, under Terrain.');
   if (rows.length < 2 || !rows.every(isPair)) throw new Impossible('The section needs two or more vertices x, z.');
   const vertices = rows as Point2[];
   const ground = isTable(values.ground) ? values.ground : {};

@@ -33,12 +33,38 @@ Table terrain_table() {
       .settings =
           {
               {.key = "section",
-               .slot = member(&Terrain::section),
+               .slot = [](Row row) -> Slot {
+                 auto* terrain = std::get<Terrain*>(row);
+                 return SectionSlot{&terrain->section, &terrain->section_file};
+               },
                .unit = "m",
                .without_it = one_terrain,
                .group = "Surface",
-               .meaning = "Two or more vertices [x, z] of a slope in section, in order along the slope.",
+               .topic = topics::section_files,
+               .meaning = "Two or more vertices [x, z] of a slope in section, in order along the slope; or a file that "
+                          "has them: text (.csv, .txt, ...) with the columns distance and z, or x, y and z; or one "
+                          "line of a DXF, GeoPackage, Shapefile or GeoJSON. A line in space gives the section along "
+                          "itself. The path is relative to the project file.",
                .source = "Talus"},
+              {.key = "section_layer",
+               .slot = member(&Terrain::section_layer),
+               .without_it = "the only layer",
+               .applies_when = {together_with({given("section")})},
+               .group = "Surface",
+               .topic = topics::section_files,
+               .meaning = "Layer of `section`, in a vector file or drawing.",
+               .source = "Talus"},
+              {.key = "section_tolerance_m",
+               .slot = member(&Terrain::section_tolerance_m),
+               .unit = "m",
+               .range = up_to(largest_coordinate_m),
+               .without_it = "all vertices are kept",
+               .applies_when = {together_with({given("section")})},
+               .group = "Surface",
+               .topic = topics::section_files,
+               .meaning = "Vertices of a `section` from a file that lie within this distance of the line through the "
+                          "others are left out (Douglas-Peucker).",
+               .source = "D. H. Douglas and T. K. Peucker, 1973"},
               {.key = "section_std_dev_m",
                .slot = member(&Terrain::section_std_dev_m),
                .unit = "m",

@@ -12,6 +12,7 @@ constexpr Topic forest{"laws.md", "Forest"};
 constexpr Topic soft_ground{"laws.md", "Soft ground"};
 constexpr Topic terrain{"terrain.md", "Terrain"};
 constexpr Topic rasters{"terrain.md", "Rasters"};
+constexpr Topic section_files{"terrain.md", "A section from a file"};
 constexpr Topic survey{"terrain.md", "A survey as terrain"};
 constexpr Topic library{"materials.md", "The library of materials"};
 constexpr Topic ground{"gis.md", "Ground from polygons"};

@@ -15,6 +15,7 @@ import { ListControl } from './ListControl';
 import { NamesControl } from './NamesControl';
 import { PolylinesControl } from './PolylinesControl';
 import { materialFields, NameChoice, NameList } from './references';
+import { RowsOrFileControl } from './RowsOrFileControl';
 import { SegmentList } from './SegmentList';
 import { TypedInput } from './TypedInput';
 import { WordsControl } from './WordsControl';
@@ -93,7 +94,7 @@ export function Control({ field, path }: FieldProps) {
     case 'tuple':
       return <TupleControl field={field} path={path} />;
     case 'rows':
-      return <RowsControl field={field} path={path} />;
+      return field.type.orFile ? <RowsOrFileControl field={field} path={path} /> : <RowsControl field={field} path={path} />;
     case 'lists of rows':
       return <PolylinesControl field={field} path={path} />;
     case 'line':

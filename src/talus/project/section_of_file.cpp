@@ -1,0 +1,30 @@
+#include "talus/project/section_of_file.hpp"
+
+#include <utility>
+
+#include "talus/import/section_file.hpp"
+#include "talus/project/named_files.hpp"
+
+namespace talus::project {
+
+void read_section_of_file(Project& project, Problems& problems) {
+  Terrain& terrain = project.terrain;
+  if (terrain.section_file.empty()) return;
+  const std::filesystem::path file = project.file.parent_path() / terrain.section_file;
+  Problems found;
+  try {
+    if (std::string why = why_unreadable(project, terrain.section_file); !why.empty()) {
+      throw BadInput(Problem{.file = file.string(),
+                             .where = {},
+                             .what = "cannot be read",
+                             .why = std::move(why),
+                             .hint = "The path is relative to the project file"});
+    }
+    terrain.section = read_section_file({file, terrain.section_layer, terrain.section_tolerance_m.value_or(0)}, found);
+  } catch (const BadInput& bad) {
+    found.append(bad.problems());
+  }
+  problems.append(located_in_project(found, project, "[terrain]"));
+}
+
+}  // namespace talus::project
