@@ -6,42 +6,78 @@ namespace talus {
 
 namespace {
 
-/// Whether one part from motion `first` to `last` is near all motions between.
-bool fits(const std::vector<Motion>& motions, std::size_t first, std::size_t last) {
-  const Motion &from = motions[first], &to = motions[last];
-  if (!(to.time > from.time)) return last == first + 1;
-  const PathPiece part = ground_part(from, to);
-  constexpr double nearest = StoreTolerance::position - 2 * StoreStep::place;  // its ends are rounded
-  constexpr double place = nearest * nearest;
-  constexpr double share = StoreTolerance::velocity * StoreTolerance::velocity;
-  const double speed = share * std::max(from.velocity.squaredNorm(), to.velocity.squaredNorm());
-  const double spin = share * std::max(from.spin.squaredNorm(), to.spin.squaredNorm());
-  for (std::size_t k = first + 1; k < last; ++k) {
-    const double s = motions[k].time - from.time;
-    if ((part.velocity(s) - motions[k].velocity).squaredNorm() > speed) return false;
-    if ((part.path.at(s) - motions[k].position).squaredNorm() > place) return false;
-    if ((part.spin_at(s) - motions[k].spin).squaredNorm() > spin) return false;
+/// One part between two motions of a list, held against the motions between.
+class Trial {
+ public:
+  Trial(const std::vector<Motion>& motions, std::size_t first, std::size_t last)
+      : motions_(motions), first_(first), last_(last) {
+    const Motion &from = motions[first], &to = motions[last];
+    duration_ = to.time - from.time;
+    if (!(duration_ > 0)) return;
+    acceleration_ = (to.velocity - from.velocity) / duration_;
+    velocity_ = (to.position - from.position) / duration_ - 0.5 * duration_ * acceleration_;
+    spin_rate_ = (to.spin - from.spin) / duration_;
+    constexpr double share = StoreTolerance::velocity * StoreTolerance::velocity;
+    most_velocity_ = share * std::max(from.velocity.squaredNorm(), to.velocity.squaredNorm());
+    most_spin_ = share * std::max(from.spin.squaredNorm(), to.spin.squaredNorm());
   }
-  return true;
-}
 
-/// The last motion that a part from `first` may end at: sought in strides that double, then by bisection.
-std::size_t end_of_part(const std::vector<Motion>& motions, std::size_t first) {
-  const std::size_t last = motions.size() - 1;
-  std::size_t good = first + 1, stride = 1;
-  while (good < last) {
-    const std::size_t next = std::min(last, good + stride);
-    if (!fits(motions, first, next)) {
-      for (std::size_t bad = next; bad - good > 1;) {
-        const std::size_t middle = good + (bad - good) / 2;
-        (fits(motions, first, middle) ? good : bad) = middle;
-      }
-      return good;
+  [[nodiscard]] bool is_near_all() const {
+    if (!(duration_ > 0)) return last_ == first_ + 1;
+    for (std::size_t k = first_ + 1; k < last_; ++k) {
+      if (!is_near(k)) return false;
     }
-    good = next;
-    stride *= 2;
+    return true;
+  }
+  /// Where a part of a smooth motion is farthest from it: halfway, or not far from there.
+  [[nodiscard]] bool is_near_some() const {
+    if (!(duration_ > 0)) return last_ == first_ + 1;
+    const std::size_t between = last_ - first_;
+    return is_near(first_ + between / 2) && is_near(first_ + between / 4) && is_near(last_ - between / 4);
+  }
+
+ private:
+  [[nodiscard]] bool is_near(std::size_t k) const {
+    constexpr double nearest = StoreTolerance::position - 2 * StoreStep::place;  // its ends are rounded
+    const Motion &from = motions_[first_], &motion = motions_[k];
+    const double s = motion.time - from.time;
+    const Vec3 place = from.position + s * (velocity_ + 0.5 * s * acceleration_);
+    return (from.velocity + s * acceleration_ - motion.velocity).squaredNorm() <= most_velocity_ &&
+           (place - motion.position).squaredNorm() <= nearest * nearest &&
+           (from.spin + s * spin_rate_ - motion.spin).squaredNorm() <= most_spin_;
+  }
+
+  const std::vector<Motion>& motions_;
+  std::size_t first_, last_;
+  double duration_, most_velocity_ = 0, most_spin_ = 0;
+  Vec3 velocity_ = Vec3::Zero(), acceleration_ = Vec3::Zero(), spin_rate_ = Vec3::Zero();
+};
+
+/// The largest number from `good` on, below `bad`, that passes; between two that pass all others do.
+template <class Passes>
+std::size_t last_that(const Passes& passes, std::size_t good, std::size_t bad) {
+  while (bad - good > 1) {
+    const std::size_t middle = good + (bad - good) / 2;
+    (passes(middle) ? good : bad) = middle;
   }
   return good;
+}
+
+/// The last motion that a part from `first` may end at. A few motions between tell where that is: sought in strides
+/// that double, then by bisection. Then all are looked at.
+std::size_t end_of_part(const std::vector<Motion>& motions, std::size_t first) {
+  const auto some = [&](std::size_t last) { return Trial(motions, first, last).is_near_some(); };
+  const auto all = [&](std::size_t last) { return Trial(motions, first, last).is_near_all(); };
+  std::size_t good = first + 1, bad = motions.size();
+  for (std::size_t stride = 1; good + stride < motions.size(); stride *= 2) {
+    if (!some(good + stride)) {
+      bad = good + stride;
+      break;
+    }
+    good += stride;
+  }
+  const std::size_t end = last_that(some, good, bad);
+  return all(end) ? end : last_that(all, first + 1, end);
 }
 
 }  // namespace
