@@ -33,6 +33,27 @@ test('inputs are varied beside a run, and a change is opened as a run of its own
   const { violations } = await new AxeBuilder({ page }).include('.ask-card').analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);
 
+  // A reload finds the job again.
+  await page.reload();
+  await expect(rows).toHaveCount(state.answer.variations.length);
+
+  // An input alone, by another step.
+  const choices = card.locator('.what-if-choices');
+  await choices.locator('summary').click();
+  for (const box of await choices.getByRole('checkbox').all()) await box.uncheck();
+  await expect(card.getByRole('button', { name: 'Vary the inputs again' })).toBeDisabled();
+  await choices.getByLabel('Tangential restitution', { exact: true }).check();
+  const step = choices.getByLabel('Step of tangential restitution');
+  await step.fill('120');
+  await card.getByRole('button', { name: 'Vary the inputs again' }).click();
+  await expect(card.getByRole('alert')).toContainText('the step of tangential_restitution is 120 %');
+  await step.fill('10.5');
+  await card.getByRole('button', { name: 'Vary the inputs again' }).click();
+  await expect(rows).toHaveText([/^Tangential restitution −10.5 %/, /^Tangential restitution \+10.5 %/]);
+  await step.fill('10');
+  await card.getByRole('button', { name: 'Vary the inputs again' }).click();
+  await expect(rows.first()).toHaveText(/^Tangential restitution −10 %/);
+  await rows.filter({ hasText: name }).getByRole('button').click();
   await card.getByRole('button', { name: 'Open as a run of its own' }).click();
   await expect(page.locator('li.run').first()).toContainText(name);
   await expect(card.locator('.big-share').first()).toContainText(`${(100 * share[0]).toFixed(1)} %`, { timeout: 30_000 });
