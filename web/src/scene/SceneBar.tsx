@@ -60,7 +60,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
       </Popover>
       <PathChoices />
       <FilterChoices />
-      <LayerChoices />
+      <LayerChoices memory={open.memory} />
       <DistanceButton />
       <AskButton />
       <SectionButton />

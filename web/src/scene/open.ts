@@ -5,6 +5,7 @@ import { toggleRelease } from '../askLine/sources';
 import { showHandles } from '../drag/handles';
 import { chosen, chosenRock, resultsTab } from '../state/view';
 import { LayerScene } from './layerScene';
+import { memoryOf, type SceneMemory } from './memory';
 import { ModelScene } from './modelScene';
 import { ObservedScene } from './observedScene';
 import { Pointing } from './pointing';
@@ -21,6 +22,7 @@ export interface OpenScene {
   /// The picture for print.
   picture: () => Promise<SheetPicture>;
   animated: AnimatedView;
+  memory: () => SceneMemory;
   dispose(): void;
 }
 
@@ -48,6 +50,7 @@ export function openScene(host: HTMLElement): OpenScene {
     pointing,
     picture: () => scenePicture(scene),
     animated: animatedScene(scene),
+    memory: () => memoryOf(scene.stage.world),
     dispose() {
       endOffering();
       endHandles();

@@ -155,6 +155,7 @@ export class Tile implements TerrainTile {
     this.mesh.position.set(x, y, z);
     this.mesh.scale.set(cell[0], cell[1], 1);
     this.kinds = kindsOf(columns - 1, rows - 1, arrays.materials);
+    this.mesh.userData.textures = [this.kinds];
     this.mesh.onBeforeRender = () => {
       material.uniforms.cellKinds.value = this.kinds;
       material.uniformsNeedUpdate = true;

@@ -14,6 +14,9 @@ import { zoomed } from './frame';
 import { fit, frame } from './framed';
 import { animatedSection, sectionPicture } from './sectionPrint';
 
+/// A section is drawn from what the page holds anyway.
+const memory = () => ({});
+
 function zoom(factor: number) {
   const now = frame.value;
   if (now) frame.value = zoomed(now, factor, now.width / 2, now.height / 2);
@@ -36,7 +39,7 @@ export function SectionBar() {
       </button>
       <PathChoices />
       <FilterChoices />
-      <LayerChoices />
+      <LayerChoices memory={memory} />
       <DistanceButton />
       <AskButton />
       <SlopeButton />
