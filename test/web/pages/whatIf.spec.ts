@@ -37,6 +37,19 @@ test('inputs are varied beside a run, and a change is opened as a run of its own
   await page.reload();
   await expect(rows).toHaveCount(state.answer.variations.length);
 
+  // On paper: the place, the answers, and what was varied.
+  await page.evaluate(() => (window.print = () => undefined));
+  await card.getByRole('button', { name: 'A4 sheet' }).click();
+  const sheet = page.locator('.answer-sheet');
+  await expect(sheet.locator('tr')).toHaveCount(state.answer.variations.length);
+  await expect(sheet).toContainText('Line at 15 m, 3.5 m high, 50.0 m long: x, y [m] (15.00, 0.00) (15.00, 50.00)');
+  await expect(sheet).toContainText((await card.locator('.big-share').textContent())!);
+  await expect(sheet.locator('img')).toHaveJSProperty('complete', true);
+  const pdf = await page.pdf({ preferCSSPageSize: true });
+  expect(pdf.toString('latin1').match(/\/Type \/Page\b/g)).toHaveLength(1);
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  await expect(sheet).toHaveCount(0);
+
   // An input alone, by another step.
   const choices = card.locator('.what-if-choices');
   await choices.locator('summary').click();

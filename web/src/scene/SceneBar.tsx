@@ -67,7 +67,7 @@ export function SceneBar({ open }: { open: OpenScene }) {
       <button
         class="button"
         title="Save the picture for print: PNG, 300 dpi"
-        onClick={() => void saveSheet(() => open.picture())}
+        onClick={() => void saveSheet()}
       >
         Picture
       </button>

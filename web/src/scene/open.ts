@@ -12,15 +12,13 @@ import { Pointing } from './pointing';
 import { RunScene } from './runScene';
 import { animatedScene, scenePicture } from './scenePrint';
 import { SourceScene } from './sourceScene';
-import type { SheetPicture } from '../view/sheet';
+import { offerSheet } from '../view/sheet';
 import { offerThumbnail } from '../view/thumbnail';
 import { sceneThumbnail } from './sceneThumbnail';
 
 export interface OpenScene {
   scene: ModelScene;
   pointing: Pointing;
-  /// The picture for print.
-  picture: () => Promise<SheetPicture>;
   animated: AnimatedView;
   memory: () => SceneMemory;
   dispose(): void;
@@ -45,14 +43,15 @@ export function openScene(host: HTMLElement): OpenScene {
   };
   const endHandles = showHandles();
   const endOffering = offerThumbnail(() => sceneThumbnail(scene));
+  const endSheet = offerSheet(() => scenePicture(scene));
   return {
     scene,
     pointing,
-    picture: () => scenePicture(scene),
     animated: animatedScene(scene),
     memory: () => memoryOf(scene.stage.world),
     dispose() {
       endOffering();
+      endSheet();
       endHandles();
       pointing.dispose();
       runs.dispose();

@@ -12,7 +12,7 @@ import { equalAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
 import { fit, frame } from './framed';
-import { animatedSection, sectionPicture } from './sectionPrint';
+import { animatedSection } from './sectionPrint';
 
 /// A section is drawn from what the page holds anyway.
 const memory = () => ({});
@@ -43,7 +43,7 @@ export function SectionBar() {
       <DistanceButton />
       <AskButton />
       <SlopeButton />
-      <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet(sectionPicture)}>
+      <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet()}>
         Picture
       </button>
       <AnimationButton view={animatedSection} />
