@@ -1,6 +1,6 @@
 // What if: the card varies the inputs, and a change becomes a run with the figures that the card gave it.
 
-import AxeBuilder from '@axe-core/playwright';
+import { findings } from '../support/findings';
 import { openExample, projectText } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
@@ -30,8 +30,7 @@ test('inputs are varied beside a run, and a change is opened as a run of its own
   await expect(card.locator('.what-if-chosen')).toContainText(values);
   await card.getByLabel('Figure of what if').selectOption('energy_J');
   await expect(card.locator('.what-if-table caption')).toHaveText('Change of the 95 % energy, for the same rocks');
-  const { violations } = await new AxeBuilder({ page }).include('.ask-card').analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  expect(await findings(page, '.ask-card')).toEqual([]);
 
   // A reload finds the job again.
   await page.reload();
