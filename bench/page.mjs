@@ -132,7 +132,7 @@ async function approach(page) {
     await page.mouse.wheel(0, -240);
     await page.waitForTimeout(300);
   }
-  await page.waitForTimeout(5000);
+  await page.waitForTimeout(20_000); // the server makes each level of a mesh when it is first asked for
 }
 
 async function memory(page) {
