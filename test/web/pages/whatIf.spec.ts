@@ -59,12 +59,9 @@ test('inputs are varied beside a run, and a change is opened as a run of its own
   await step.fill('120');
   await card.getByRole('button', { name: 'Vary the inputs again' }).click();
   await expect(card.getByRole('alert')).toContainText('the step of tangential_restitution is 120 %');
-  await step.fill('10.5');
-  await card.getByRole('button', { name: 'Vary the inputs again' }).click();
-  await expect(rows).toHaveText([/^Tangential restitution −10.5 %/, /^Tangential restitution \+10.5 %/]);
   await step.fill('10');
   await card.getByRole('button', { name: 'Vary the inputs again' }).click();
-  await expect(rows.first()).toHaveText(/^Tangential restitution −10 %/);
+  await expect(rows).toHaveText([/^Tangential restitution −10 %/, /^Tangential restitution \+10 %/]);
   await rows.filter({ hasText: name }).getByRole('button').click();
   await card.getByRole('button', { name: 'Open as a run of its own' }).click();
   await expect(page.locator('li.run').first()).toContainText(name);
