@@ -112,11 +112,14 @@ void MeshTiles::cluster(Level& level) const {
   }
   for (const auto& [x, y, z, count] : sums)
     for (const double sum : {x, y, z}) level.positions.push_back(static_cast<float>(sum / count));
-  // Some triangles are turned over, which would be seen as specks.
+  // Some triangles are turned over, which would be seen as specks; without them there would be holes.
   std::size_t kept = 0;
   for (std::uint32_t k = 0; k < facets.size(); ++k) {
-    if (area_normal(corners_of(level, k)).dot(area_normal(mesh_.triangle({facets[k]}))) <= 0) continue;
-    level.triangles[kept++] = level.triangles[k];
+    const double along = area_normal(corners_of(level, k)).dot(area_normal(mesh_.triangle({facets[k]})));
+    if (along == 0) continue;
+    Corners corners = level.triangles[k];
+    if (along < 0) std::swap(corners[1], corners[2]);
+    level.triangles[kept++] = corners;
     level.materials.push_back(model_.ground.material_of(mesh_.source({facets[k]})).index);
   }
   level.triangles.resize(kept);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "http/arrays.hpp"
 #include "model_description.hpp"
@@ -28,6 +30,16 @@ std::vector<std::uint32_t> nodes_of(std::uint32_t nodes, std::uint32_t stride, s
   std::vector<std::uint32_t> list;
   for (std::uint32_t k = first; k <= last; ++k) list.push_back(k * spacing(nodes, stride));
   return list;
+}
+
+/// The node before the first or after the last of a tile's nodes, at the distance of its level; nullopt: none.
+std::optional<std::uint32_t> node_before(const std::vector<std::uint32_t>& list) {
+  const std::uint32_t step = list[1] - list[0];
+  return list.front() >= step ? std::optional(list.front() - step) : std::nullopt;
+}
+std::optional<std::uint32_t> node_after(const std::vector<std::uint32_t>& list, std::uint32_t nodes) {
+  const std::uint32_t next = list.back() + list[1] - list[0];
+  return next < nodes ? std::optional(next) : std::nullopt;
 }
 
 }  // namespace
@@ -66,6 +78,15 @@ Answer TerrainTiles::tile(std::size_t level, std::uint32_t column, std::uint32_t
   heights.reserve(columns.size() * rows.size());
   for (const std::uint32_t j : rows)
     for (const std::uint32_t i : columns) heights.push_back(grid.z[grid.index(i, j)]);
+  // The nodes around the tile, so that its slope at the border is that of the whole terrain.
+  std::vector<float> around;
+  const auto add = [&](std::optional<std::uint32_t> i, std::optional<std::uint32_t> j) {
+    around.push_back(i && j ? grid.z[grid.index(*i, *j)] : std::numeric_limits<float>::quiet_NaN());
+  };
+  for (const auto j : {node_before(rows), node_after(rows, grid.rows)})
+    for (const std::uint32_t i : columns) add(i, j);
+  for (const auto i : {node_before(columns), node_after(columns, grid.columns)})
+    for (const std::uint32_t j : rows) add(i, j);
   // Cells are cut by the rule of the surface, those of a coarse level as if it were one.
   const auto level_height = [&, dx = spacing(grid.columns, stride), dy = spacing(grid.rows, stride)](std::uint32_t i,
                                                                                                      std::uint32_t j) {
@@ -90,6 +111,7 @@ Answer TerrainTiles::tile(std::size_t level, std::uint32_t column, std::uint32_t
                      {"columns", columns.size()},
                      {"rows", rows.size()}});
   arrays.add("heights", std::span<const float>(heights));
+  arrays.add("around", std::span<const float>(around));
   arrays.add("diagonals", std::span<const std::uint8_t>(diagonals));
   arrays.add_smallest("materials", materials, model_.ground.materials().size());
   return arrays.answer();

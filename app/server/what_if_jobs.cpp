@@ -129,19 +129,19 @@ void WhatIfJobs::work(Job& job) const {
 
 std::shared_ptr<WhatIfJobs::Job> WhatIfJobs::job_of(const std::string& run) const {
   const auto found = std::ranges::find_if(jobs_, [&](const auto& job) { return job->run == run; });
-  if (found == jobs_.end())
-    throw Refusal(404, run, "what if was not asked of this run", "the server keeps the last ones");
-  return *found;
+  return found == jobs_.end() ? nullptr : *found;
 }
 
 Json WhatIfJobs::state_of(const std::string& run) const {
   const std::lock_guard lock(mutex_);
-  return json_of(*job_of(run));
+  const auto job = job_of(run);
+  return job ? json_of(*job) : Json();
 }
 
 Json WhatIfJobs::stop(const std::string& run) {
   const std::lock_guard lock(mutex_);
   const auto job = job_of(run);
+  if (!job) throw Refusal(404, run, "what if was not asked of this run", "the server keeps the last ones");
   job->stop = true;
   return json_of(*job);
 }

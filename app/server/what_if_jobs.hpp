@@ -36,9 +36,9 @@ class WhatIfJobs {
 
   /// Begins a job, which replaces the run's last one, and returns its state. Refuses (503) once closed.
   Json begin(WhatIfOrder order);
-  /// Of the last job of a run. Refuses (404) if it has none, or if later ones have pushed it out.
+  /// Of the last job of a run; null if it has none, or if later ones have pushed it out.
   [[nodiscard]] Json state_of(const std::string& run) const;
-  /// Stops the job of a run; what is done is kept.
+  /// Stops the job of a run; what is done is kept. Refuses (404) if it has none.
   Json stop(const std::string& run);
   /// Stops the job in progress, and waits for it. Later ones are refused.
   void close();
@@ -49,6 +49,7 @@ class WhatIfJobs {
 
   void work(Job& job) const;
   [[nodiscard]] Json json_of(const Job& job) const;
+  /// Null: none. Expects `mutex_`.
   [[nodiscard]] std::shared_ptr<Job> job_of(const std::string& run) const;
   /// Stops the thread, if there is one. Expects `starting_`.
   void end_thread();

@@ -117,6 +117,13 @@ TEST_F(ModelOnRaster, HasTiles) {
   EXPECT_EQ(first.header["origin"][0].get<double>() + 256 * 10, second.header["origin"][0].get<double>());
   EXPECT_EQ(first.header["columns"], 257);  // neighbours share an edge
   EXPECT_TRUE(std::isnan(first.get<float>("heights", "f32")[2 * 257 + 3]));
+  // Beyond a border are the neighbour's nodes, and beyond the raster none.
+  const auto around = first.get<float>("around", "f32"), beside = second.get<float>("heights", "f32");
+  const auto high = first.header["rows"].get<std::size_t>();
+  ASSERT_EQ(around.size(), 2 * (257 + high));
+  EXPECT_EQ(around[2 * 257 + high + 1], beside[second.header["columns"].get<std::size_t>() + 1]);
+  EXPECT_TRUE(std::isnan(around[0]));
+  EXPECT_TRUE(std::isnan(around[2 * 257 + 1]));
 
   for (const std::string which : {"2/0/0", "0/2/0", "0/0/1", "0/999999999/0"})
     EXPECT_EQ(get(at(model, "tiles/" + which)).status, 404) << which;

@@ -27,7 +27,8 @@ class WhatIfJob : public testing_tools::ServedResults {
 };
 
 TEST_F(WhatIfJob, AnswersInTheBackground) {
-  EXPECT_EQ(get(path()).status, 404);
+  EXPECT_EQ(get(path()).json(), Json());
+  EXPECT_EQ(post(path() + "/stop", Json::object()).status, 404);
   const Json line{{"line", {{15, 0}, {15, 50}}}};
   const Reply begun = post(path(), line);
   ASSERT_EQ(begun.status, 202) << begun.body;
@@ -67,6 +68,17 @@ TEST_F(WhatIfJob, ChangesWhatIsAsked) {
   EXPECT_EQ(answer["variations"][1]["step_percent"], 50);
 }
 
+TEST_F(WhatIfJob, NamesWhatCanBeVaried) {
+  const Json all = get(path() + "/choices").json();
+  EXPECT_EQ(all["factors"][0],
+            (Json{{"factor", "normal_restitution"}, {"title", "Normal restitution"}, {"usual_percent", 10}}));
+  const std::string first = all["materials"][0];
+  EXPECT_EQ(get(path() + "/choices?material=" + first).json()["factors"].back()["factor"], "mass");
+  const Reply reply = get(path() + "/choices?material=Snow");
+  EXPECT_EQ(reply.status, 422);
+  EXPECT_EQ(std::string(reply.json()["problems"][0]["text"]).find("material: there is no material \"Snow\""), 0U);
+}
+
 TEST_F(WhatIfJob, RefusesBadQuestions) {
   EXPECT_EQ(refusal(Json::object(), 400), "line: is missing (expected one of line, barrier, polygon)");
   EXPECT_EQ(refusal({{"line", {{15, 0}, {15, 50}}}, {"barrier", "Fence"}}, 400),
@@ -78,7 +90,7 @@ TEST_F(WhatIfJob, RefusesBadQuestions) {
       refusal({{"barrier", "Fence"}, {"steps", {{"weight", 5}}}}, 422).find("steps: there is no factor \"weight\""),
       0U);
   EXPECT_EQ(refusal({{"line", {{1e6, 0}, {1e6, 50}}}}, 422).find("line: does not touch the terrain"), 0U);
-  EXPECT_EQ(get(path()).status, 404);
+  EXPECT_EQ(get(path()).json(), Json());
 }
 
 }  // namespace

@@ -59,6 +59,17 @@ std::unique_ptr<what_if::WhatIf> asked_of(const Call& call, const OpenRun& open,
                                            warnings);
 }
 
+/// What can be varied of the run's project, with a material of this alone.
+Json choices_of(const project::Project& project, const std::string& material) {
+  Json materials = Json::array(), factors = Json::array();
+  for (const project::Material& each : project.materials) materials.push_back(each.name);
+  for (const std::size_t kind : what_if::kinds_of(project, material, "material")) {
+    const what_if::FactorKind& factor = what_if::factor_kinds[kind];
+    factors.push_back({{"factor", factor.key}, {"title", factor.title}, {"usual_percent", 100 * factor.usual_step}});
+  }
+  return {{"materials", std::move(materials)}, {"factors", std::move(factors)}};
+}
+
 }  // namespace
 
 void add_what_if_routes(Router& router, RunStore& runs, AskedRuns& asked, WhatIfJobs& jobs) {
@@ -78,6 +89,9 @@ void add_what_if_routes(Router& router, RunStore& runs, AskedRuns& asked, WhatIf
     return json_answer(jobs.begin(std::move(order)), 202);
   });
   router.get(path, [&](const Call& call) { return json_answer(jobs.state_of(runs.find(call.part(1)).id)); });
+  router.get(path + "/choices", [&](const Call& call) {
+    return json_answer(choices_of(asked.open(runs.find(call.part(1)))->built->project, call.query("material")));
+  });
   router.post(path + "/stop", [&](const Call& call) {
     call.only({});
     return json_answer(jobs.stop(runs.find(call.part(1)).id));

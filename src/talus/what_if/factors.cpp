@@ -264,6 +264,16 @@ Variation vary(const Project& project, std::size_t kind, double factor, const st
   return varied(project, kind, factor, material).take();
 }
 
+std::vector<std::size_t> kinds_of(const Project& project, const std::string& material, std::string_view where) {
+  Problems problems;
+  check_material(project, material, where, problems);
+  if (problems.has_errors()) throw BadInput(std::move(problems));
+  std::vector<std::size_t> kinds;
+  for (std::size_t kind = 0; kind < factor_kinds.size(); ++kind)
+    if (!vary(project, kind, 1 + factor_kinds[kind].usual_step, material).changes.empty()) kinds.push_back(kind);
+  return kinds;
+}
+
 std::vector<Variation> variations_of(const Project& project, const FactorChoice& choice, std::string_view where,
                                      Problems& warnings) {
   Problems problems;

@@ -76,6 +76,11 @@ struct Variation {
 [[nodiscard]] Variation vary(const project::Project& project, std::size_t kind, double factor,
                              const std::string& material);
 
+/// The factors that the project has, by their place in factor_kinds, in its order. `material`: as in FactorChoice. Throws
+/// BadInput if there is no such material, which `where` names.
+[[nodiscard]] std::vector<std::size_t> kinds_of(const project::Project& project, const std::string& material,
+                                                std::string_view where);
+
 /// For each factor the variation down and that up. `project`: with the samples of its distributions. Throws BadInput
 /// with all problems of the choice, which `where` names: an unknown factor or material, a step out of range, a factor
 /// that the project does not have. What a factor cannot change (sizes from a table) is added to `warnings`.

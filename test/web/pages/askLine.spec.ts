@@ -1,7 +1,7 @@
 // Asking a line: the numbers of its card are those of a collector there, it follows drags, and its release places filter.
 
-import AxeBuilder from '@axe-core/playwright';
 import type { Page, Request } from '@playwright/test';
+import { findings } from '../support/findings';
 import { openExample, projectText, toStartPage } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
@@ -79,8 +79,7 @@ test('the numbers are those of the design of a run', async ({ workbench: page })
   const sentence = `${kits.heights_m[2]} m and ${kits.energies_kJ[1].toLocaleString('en')} kJ here stop ${percent(kits.share[2][1])} %`;
   await expect(card(page).locator('.kit-sentence')).toContainText(sentence);
 
-  const { violations } = await new AxeBuilder({ page }).include('.ask-card').analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  expect(await findings(page, '.ask-card')).toEqual([]);
 });
 
 test('corners and the line are dragged; Escape ends a drag, Undo takes it back', async ({ workbench: page }) => {

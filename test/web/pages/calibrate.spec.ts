@@ -1,9 +1,9 @@
 // Observed rocks: imported, seen, calibrated with, and predicted.
 
-import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { seriousFindings } from '../support/findings';
 import { cellsOf } from '../support/table';
 import { computeWith, openProject, projectText, runIsShown } from '../support/steps';
 import { stillShot } from '../support/pixels';
@@ -94,9 +94,7 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
 
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
-    const { violations } = await new AxeBuilder({ page }).analyze();
-    const serious = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-    expect(serious.map(({ id, nodes }) => `${id}: ${nodes[0]!.html}`)).toEqual([]);
+    expect(await seriousFindings(page)).toEqual([]);
   }
 
   // Predictions.

@@ -31,8 +31,8 @@ test('trajectories and shares grow while a run goes on', async ({ workbench: pag
   await expect(results).toContainText('the run was stopped');
 });
 
-test('trajectories grow over a terrain', async ({ workbench: page }) => {
-  await openExample(page, 'Cliffs from a GIS');
+test('trajectories grow in 3D', async ({ workbench: page }) => {
+  await openExample(page, 'Tutorial 1, in 3D');
   await page.getByRole('tab', { name: 'Runs' }).click();
   const before = await stillShot(page);
   await computeWith(page, 'Long', 5_000_000);

@@ -1,9 +1,9 @@
 // Ground sections: drawn, typed, and updated when the model changes.
 
-import AxeBuilder from '@axe-core/playwright';
 import type { Page, Response } from '@playwright/test';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { findings } from '../support/findings';
 import { rowsOf } from '../support/table';
 import { expect, sources, test } from '../support/workbench';
 
@@ -106,8 +106,7 @@ test('a typed line is followed by keys, and its end outside the terrain is repor
   const two = (text?: string) => Number(text).toFixed(2);
   await expect(slider).toHaveAttribute('aria-valuetext', `${two(distance_m)} m along, z ${two(z_m)} m, x ${two(x_m)} y ${two(y_m)} m`);
 
-  const { violations } = await new AxeBuilder({ page }).include('.results').analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  expect(await findings(page, '.results')).toEqual([]);
   await page.getByRole('button', { name: 'Remove', exact: true }).click();
   await expect(page.getByRole('region', { name: 'Results' })).toBeHidden();
 });

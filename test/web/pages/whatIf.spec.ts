@@ -1,6 +1,6 @@
 // What if: the card varies the inputs, and a change becomes a run with the figures that the card gave it.
 
-import AxeBuilder from '@axe-core/playwright';
+import { findings } from '../support/findings';
 import { openExample, projectText } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
@@ -30,9 +30,39 @@ test('inputs are varied beside a run, and a change is opened as a run of its own
   await expect(card.locator('.what-if-chosen')).toContainText(values);
   await card.getByLabel('Figure of what if').selectOption('energy_J');
   await expect(card.locator('.what-if-table caption')).toHaveText('Change of the 95 % energy, for the same rocks');
-  const { violations } = await new AxeBuilder({ page }).include('.ask-card').analyze();
-  expect(violations.map(({ id }) => id)).toEqual([]);
+  expect(await findings(page, '.ask-card')).toEqual([]);
 
+  // A reload finds the job again.
+  await page.reload();
+  await expect(rows).toHaveCount(state.answer.variations.length);
+
+  // On paper: the place, the answers, and what was varied.
+  await page.evaluate(() => (window.print = () => undefined));
+  await card.getByRole('button', { name: 'A4 sheet' }).click();
+  const sheet = page.locator('.answer-sheet');
+  await expect(sheet.locator('tr')).toHaveCount(state.answer.variations.length);
+  await expect(sheet).toContainText('Line at 15 m, 3.5 m high, 50.0 m long: x, y [m] (15.00, 0.00) (15.00, 50.00)');
+  await expect(sheet).toContainText((await card.locator('.big-share').textContent())!);
+  await expect(sheet.locator('img')).toHaveJSProperty('complete', true);
+  const pdf = await page.pdf({ preferCSSPageSize: true });
+  expect(pdf.toString('latin1').match(/\/Type \/Page\b/g)).toHaveLength(1);
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  await expect(sheet).toHaveCount(0);
+
+  // An input alone, by another step.
+  const choices = card.locator('.what-if-choices');
+  await choices.locator('summary').click();
+  for (const box of await choices.getByRole('checkbox').all()) await box.uncheck();
+  await expect(card.getByRole('button', { name: 'Vary the inputs again' })).toBeDisabled();
+  await choices.getByLabel('Tangential restitution', { exact: true }).check();
+  const step = choices.getByLabel('Step of tangential restitution');
+  await step.fill('120');
+  await card.getByRole('button', { name: 'Vary the inputs again' }).click();
+  await expect(card.getByRole('alert')).toContainText('the step of tangential_restitution is 120 %');
+  await step.fill('10');
+  await card.getByRole('button', { name: 'Vary the inputs again' }).click();
+  await expect(rows).toHaveText([/^Tangential restitution −10 %/, /^Tangential restitution \+10 %/]);
+  await rows.filter({ hasText: name }).getByRole('button').click();
   await card.getByRole('button', { name: 'Open as a run of its own' }).click();
   await expect(page.locator('li.run').first()).toContainText(name);
   await expect(card.locator('.big-share').first()).toContainText(`${(100 * share[0]).toFixed(1)} %`, { timeout: 30_000 });

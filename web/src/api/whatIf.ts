@@ -37,9 +37,24 @@ export interface WhatIfAnswer {
   base: Figures;
   variations: Variation[];
 }
+export interface WhatIfFactor {
+  factor: string;
+  title: string;
+  usual_percent: number;
+}
+/// What can be varied of a run; of one material, if it was asked for.
+export interface WhatIfChoices {
+  materials: string[];
+  factors: WhatIfFactor[];
+}
+/// Without steps: the usual ones of all factors. What is not a number is refused.
+export interface WhatIfOptions {
+  material?: string;
+  steps?: Record<string, unknown>;
+}
 export interface WhatIfState {
   run: string;
-  question: AskedShape;
+  question: AskedShape & WhatIfOptions;
   /// Of the run's request.
   overrides: { rocks: number | null; seed: number | null };
   state: 'running' | 'done' | 'stopped' | 'failed';
@@ -54,7 +69,10 @@ export interface WhatIfState {
 const at = (run: string) => `/api/runs/${encodeURIComponent(run)}/what_if`;
 
 export const whatIfs = {
-  begin: (run: string, shape: AskedShape) => sendJson<WhatIfState>('POST', at(run), shape),
-  state: (run: string) => getJson<WhatIfState>(at(run)),
+  begin: (run: string, asked: AskedShape & WhatIfOptions) => sendJson<WhatIfState>('POST', at(run), asked),
+  /// Of the run's last one; null: there is none.
+  state: (run: string) => getJson<WhatIfState | null>(at(run)),
+  choices: (run: string, material: string, signal: AbortSignal) =>
+    getJson<WhatIfChoices>(`${at(run)}/choices?material=${encodeURIComponent(material)}`, signal),
   stop: (run: string) => sendJson<WhatIfState>('POST', `${at(run)}/stop`, {}),
 };

@@ -1,15 +1,18 @@
 // What if an input were higher or lower: the change of each figure at the line, as a tornado and as a table.
 
 import { useCallback, useState } from 'preact/hooks';
-import type { Variation, WhatIfAnswer, WhatIfFigure, WhatIfState } from '../api/whatIf';
+import { whatIfs, type Variation, type WhatIfAnswer, type WhatIfFigure, type WhatIfState } from '../api/whatIf';
 import type { Room } from '../figures/plot';
 import { tornado, type TornadoBar } from '../figures/tornado';
 import { Chart } from '../results/Chart';
+import { useRemote } from '../results/remote';
 import { fileName } from '../results/save';
-import { displayOf, unitSystem } from '../state/displayUnits';
+import { unitSystem } from '../state/displayUnits';
 import { shown } from '../state/runs';
 import { barsOf, changeText, figures, figureTitle, nameOf, type WhatIfBar } from './tornadoOf';
-import { begin, openAsRun, stop, whatIf, whatIfFigure } from './whatIf';
+import { begin, openAsRun, refusal, stop, unitOfChange, whatIf, whatIfFigure } from './whatIf';
+import { WhatIfChoices } from './WhatIfChoices';
+import { chosenSteps, material, optionsOf } from './whatIfChoices';
 
 function ProgressOf({ of }: { of: WhatIfState }) {
   const left = of.seconds_left === null ? '' : `, ${Math.ceil(of.seconds_left)} s left`;
@@ -49,7 +52,7 @@ function Table({ of, by, chosen, choose }: { of: WhatIfAnswer; by: WhatIfFigure;
                 {nameOf(each)}
               </button>
             </th>
-            <td>{changeText(each.difference[by], displayOf(figures[by].unit))}</td>
+            <td>{changeText(each.difference[by], unitOfChange(by))}</td>
           </tr>
         ))}
       </tbody>
@@ -82,9 +85,9 @@ function AnswerOf({ state, answer }: { state: WhatIfState; answer: WhatIfAnswer 
     (element: SVGSVGElement, room: Room) =>
       tornado(element, room, {
         title: `Change of the ${title.toLowerCase()}`,
-        unit: displayOf(figures[by].unit).unit,
+        unit: unitOfChange(by).unit,
         per: 1,
-        bars: barsOf(answer, by, displayOf(figures[by].unit)),
+        bars: barsOf(answer, by, unitOfChange(by)),
         choose: (bar: TornadoBar) => choose(nameOf((bar as WhatIfBar).variation)),
       }),
     [answer, by, unitSystem.value],
@@ -109,7 +112,7 @@ function AnswerOf({ state, answer }: { state: WhatIfState; answer: WhatIfAnswer 
         }
       />
       <p class="faint what-if-legend">
-        <span class="lower" /> lower <span class="higher" /> higher. {answer.rocks.toLocaleString('en')} rocks in each set
+        <span class="lower" /> lower <span class="higher" /> higher{state.question.material && `, ground of ${state.question.material} alone`}. {answer.rocks.toLocaleString('en')} rocks in each set
         {answer.rocks < answer.planned && `, a fair sample of ${answer.planned.toLocaleString('en')}`}
         {state.state === 'stopped' && '; stopped before its time'}. Choose a bar or a row to open it as a run.
       </p>
@@ -121,6 +124,9 @@ function AnswerOf({ state, answer }: { state: WhatIfState; answer: WhatIfAnswer 
 
 export function WhatIf() {
   const now = whatIf.value;
+  const run = shown.value!.id;
+  const choices = useRemote(run, material.value, (signal) => whatIfs.choices(run, material.value, signal));
+  const options = choices.value && optionsOf(choices.value, chosenSteps.value, material.value);
   return (
     <div class="asked-what-if">
       <h3>What if</h3>
@@ -132,10 +138,31 @@ export function WhatIf() {
       ))}
       {now?.state === 'running' && <ProgressOf of={now} />}
       {now?.answer && <AnswerOf state={now} answer={now.answer} />}
-      {now?.state !== 'running' && (
-        <button class="button" onClick={() => void begin()}>
+      {choices.error !== null && (
+        <p class="problem">
+          {choices.error}{' '}
+          {material.value !== '' && (
+            <button class="button" onClick={() => (material.value = '')}>
+              All materials
+            </button>
+          )}
+        </p>
+      )}
+      {choices.value && <WhatIfChoices of={choices.value} />}
+      {choices.value && now?.state !== 'running' && (
+        <button
+          class="button"
+          disabled={!options}
+          title={options ? undefined : 'Choose an input above'}
+          onClick={() => options && void begin(options)}
+        >
           {now ? 'Vary the inputs again' : 'Vary the inputs'}
         </button>
+      )}
+      {refusal.value !== null && (
+        <p class="problem error" role="alert">
+          {refusal.value}
+        </p>
       )}
     </div>
   );

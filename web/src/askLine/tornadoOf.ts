@@ -15,6 +15,9 @@ export const figures: Record<WhatIfFigure, { title: string; unit: string }> = {
   velocity_m_s: { title: 'velocity', unit: 'm/s' },
 };
 
+/// A change of a share is in points, because "+10 %" of a share could also mean a tenth of it.
+export const changeIn = (by: WhatIfFigure, display: Displayed): Displayed => (by === 'share' ? { ...display, unit: `${display.unit} points` } : display);
+
 export const figureTitle = (by: WhatIfFigure, { percentile }: Pick<WhatIfAnswer, 'percentile'>) =>
   by === 'share' ? 'Share' : `${percentile} % ${figures[by].title}`;
 

@@ -94,8 +94,9 @@ export function axes(svg: Group, x: Scale, y: Scale | null, side: Side, { xLabel
   );
   const label = (text: string) =>
     svg.append('text').attr('class', 'axis-label').attr('text-anchor', 'middle').text(text);
+  // In a narrow plot it ends at the right.
   label(xLabel)
-    .attr('x', (left + right) / 2)
+    .attr('x', Math.min((left + right) / 2, right + 12 - (letterWidth * xLabel.length) / 2))
     .attr('y', bottom + 34);
   if (!y) return;
   grid

@@ -38,7 +38,7 @@ export const shortened = (name: string, width: number) => {
 export function tornado(element: SVGSVGElement, room: Room, { title, unit, bars, choose }: Tornado) {
   const svg = openDrawing(element, room);
   const longest = Math.max(1, ...bars.map(({ name, row }) => (row ?? name).length));
-  const nameWidth = Math.min(0.48 * room.width, letterWidth * longest);
+  const nameWidth = Math.min(0.52 * room.width, letterWidth * longest);
   const all = bars.flatMap((bar) => (bar.other ? [bar, bar.other] : [bar]));
   const reached = all.flatMap(({ value, low, high, inner, mark }) => [
     0,

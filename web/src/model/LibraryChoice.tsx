@@ -43,14 +43,14 @@ function Materials({ caption, rows }: { caption: string; rows: Row[] }) {
         <thead>
           <tr>
             <th scope="col">Material</th>
+            <th scope="col">
+              <span class="visually-hidden">Add</span>
+            </th>
             {columns.map(([key, title]) => (
               <th key={key} scope="col" class="number">
                 {title}
               </th>
             ))}
-            <th scope="col">
-              <span class="visually-hidden">Add</span>
-            </th>
           </tr>
         </thead>
         <tbody>
@@ -59,11 +59,6 @@ function Materials({ caption, rows }: { caption: string; rows: Row[] }) {
               <th scope="row" title={from}>
                 {name}
               </th>
-              {columns.map(([key]) => (
-                <td key={key} class="number">
-                  {valueText(values[key])}
-                </td>
-              ))}
               <td>
                 <button class="button" aria-label={`Add ${name}`} onClick={addIt}>
                   Add
@@ -78,6 +73,11 @@ function Materials({ caption, rows }: { caption: string; rows: Row[] }) {
                   </button>
                 )}
               </td>
+              {columns.map(([key]) => (
+                <td key={key} class="number">
+                  {valueText(values[key])}
+                </td>
+              ))}
             </tr>
           ))}
         </tbody>

@@ -14,9 +14,10 @@ export interface Group {
 /// Tables with a form of their own for the first choice. Its settings appear as fields once they are given.
 const chosenElsewhere = ['terrain', 'ground'];
 
-/// The groups of the table; the first has no title and contains the settings without a group.
+/// The groups of the table; the first has no title and contains the settings without a group. (The declaration lists it
+/// if it is of several groups.)
 export function groupsIn(table: Table, fields: readonly Field[]): Group[] {
-  const groups = [{ title: '', folded: false }, ...table.groups];
+  const groups = [{ title: '', folded: false }, ...table.groups.filter(({ title }) => title !== '')];
   return groups.map((group) => ({ ...group, fields: fields.filter((field) => field.group === group.title) }));
 }
 

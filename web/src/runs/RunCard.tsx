@@ -6,6 +6,7 @@ import { clockText, counted, momentText, numberText } from '../ui/format';
 import { RunDifferences } from './Differences';
 import { RunDetails } from './RunDetails';
 import { RunName } from './RunName';
+import { RunReport } from './RunReport';
 import { RunStateText } from './RunStateText';
 import { useChanges } from './runText';
 
@@ -101,6 +102,7 @@ export function RunCard({ run, isRecent }: { run: Run; isRecent: boolean }) {
             Compare
           </button>
         )}
+        {isShown && hasResults(run) && <RunReport run={run} />}
         {isUnderWay && (
           <button class="button" title="Finished rocks are kept" onClick={() => void stop(run.id)}>
             Stop

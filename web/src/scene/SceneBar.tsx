@@ -60,14 +60,14 @@ export function SceneBar({ open }: { open: OpenScene }) {
       </Popover>
       <PathChoices />
       <FilterChoices />
-      <LayerChoices />
+      <LayerChoices memory={open.memory} />
       <DistanceButton />
       <AskButton />
       <SectionButton />
       <button
         class="button"
         title="Save the picture for print: PNG, 300 dpi"
-        onClick={() => void saveSheet(() => open.picture())}
+        onClick={() => void saveSheet()}
       >
         Picture
       </button>

@@ -2,7 +2,8 @@
 
 import { sourceLegends } from '../askLine/sources';
 import { observedLegends } from '../calibration/observations';
-import { layerLegends } from '../layers/layers';
+import { hidesGround } from '../layers/draped';
+import { isDrawn, layerLegends, projectLayers } from '../layers/layers';
 import { mapLegends } from '../maps/mapLegends';
 import { shownMap } from '../maps/shownMap';
 import { pathLegends } from '../paths/pathLegends';
@@ -18,6 +19,7 @@ function groundLegends(): LegendData[] {
   const light = shade.value;
   const [low, high] = elevations.value;
   if (!layers.terrain.value || shownMap.value) return [];
+  if (model.value && hidesGround(projectLayers.value.filter(isDrawn), model.value.bounds)) return [];
   const scale = { kind: 'scale', isClipped: false } as const;
   switch (shading.value) {
     case 'elevation':

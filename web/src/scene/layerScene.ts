@@ -46,6 +46,7 @@ export class LayerScene {
   private readonly end: () => void;
 
   constructor(private readonly scene: ModelScene) {
+    this.group.name = 'Layers';
     scene.add(this.group);
     scene.onTerrain.push(() => (this.version.value = this.version.peek() + 1));
     this.end = effect(() => {
@@ -120,6 +121,7 @@ export class LayerScene {
       const corner = this.scene.local([west, south, 0]);
       return [{ texture, corner: [corner.x, corner.y], size: [east - west, north - south], opacity }];
     });
+    this.group.userData.textures = pictures.map(({ texture }) => texture);
     this.scene.drapePictures(pictures.slice(-mostDraped));
   }
 

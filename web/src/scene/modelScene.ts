@@ -142,6 +142,7 @@ export class ModelScene {
     this.material?.dispose();
     [this.frame, this.terrain, this.material] = [frame, terrain, material];
     terrain.object.visible = layers.terrain.peek();
+    terrain.object.name = 'Terrain';
     this.stage.world.add(terrain.object);
     this.box = new Box3(frame.local(next.bounds.min), frame.local(next.bounds.max));
     this.box.getBoundingSphere(this.stage.extent);

@@ -5,22 +5,22 @@ import { toggleRelease } from '../askLine/sources';
 import { showHandles } from '../drag/handles';
 import { chosen, chosenRock, resultsTab } from '../state/view';
 import { LayerScene } from './layerScene';
+import { memoryOf, type SceneMemory } from './memory';
 import { ModelScene } from './modelScene';
 import { ObservedScene } from './observedScene';
 import { Pointing } from './pointing';
 import { RunScene } from './runScene';
 import { animatedScene, scenePicture } from './scenePrint';
 import { SourceScene } from './sourceScene';
-import type { SheetPicture } from '../view/sheet';
+import { offerSheet } from '../view/sheet';
 import { offerThumbnail } from '../view/thumbnail';
 import { sceneThumbnail } from './sceneThumbnail';
 
 export interface OpenScene {
   scene: ModelScene;
   pointing: Pointing;
-  /// The picture for print.
-  picture: () => Promise<SheetPicture>;
   animated: AnimatedView;
+  memory: () => SceneMemory;
   dispose(): void;
 }
 
@@ -43,13 +43,15 @@ export function openScene(host: HTMLElement): OpenScene {
   };
   const endHandles = showHandles();
   const endOffering = offerThumbnail(() => sceneThumbnail(scene));
+  const endSheet = offerSheet(() => scenePicture(scene));
   return {
     scene,
     pointing,
-    picture: () => scenePicture(scene),
     animated: animatedScene(scene),
+    memory: () => memoryOf(scene.stage.world),
     dispose() {
       endOffering();
+      endSheet();
       endHandles();
       pointing.dispose();
       runs.dispose();

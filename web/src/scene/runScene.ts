@@ -58,6 +58,7 @@ export class RunScene {
 
   constructor(private readonly scene: ModelScene) {
     const { stage } = scene;
+    this.all.name = 'Trajectories';
     scene.add(this.all);
     scene.add(this.chosen);
     scene.onTerrain.push(() => (this.terrain.value = this.terrain.peek() + 1));

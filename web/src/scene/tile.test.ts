@@ -11,7 +11,7 @@ const diagonals = Uint8Array.from([1, 0, 0, 0, 1, 0]);
 const cell: [number, number] = [10, 5];
 const header = { origin: [1000, 2000, 0] as [number, number, number], cell, columns, rows };
 const tile = new Tile(
-  { header, arrays: { heights, diagonals, materials: new Uint8Array((columns - 1) * (rows - 1)) } },
+  { header, arrays: { heights, around: new Float32Array(2 * (columns + rows)).fill(NaN), diagonals, materials: new Uint8Array((columns - 1) * (rows - 1)) } },
   new Frame([1000, 2000, 0]),
   cell,
   new TerrainMaterial(true),
@@ -58,4 +58,33 @@ test('the centroid of each drawn triangle is on the surface', () => {
     expect(mean((corner) => height.getX(corner))).toBeCloseTo(engineHeight(i * cell[0], j * cell[1])!, 4);
   }
   expect(seen).toBe(2 * 5); // one of six cells is a hole
+});
+
+test('neighbours have the same slope at their common border', () => {
+  const height = (i: number, j: number) => 100 + 3 * Math.sin(i) + 2 * Math.cos(1.7 * j) - 0.2 * i * j;
+  const side = 4; // cells
+  const slopes = (first: number) => {
+    const nodes = Array.from({ length: side + 1 }, (_, k) => k);
+    const row = (j: number) => nodes.map((i) => height(first + i, j));
+    const column = (i: number) => nodes.map((j) => height(first + i, j));
+    const made = new Tile(
+      {
+        header: { origin: [1000 + 10 * first, 2000, 0], cell, columns: side + 1, rows: side + 1 },
+        arrays: {
+          heights: Float32Array.from(nodes.flatMap(row)),
+          around: Float32Array.from([row(-1), row(side + 1), column(-1), column(side + 1)].flat()),
+          diagonals: new Uint8Array(side * side),
+          materials: new Uint8Array(side * side),
+        },
+      },
+      new Frame([1000, 2000, 0]),
+      cell,
+      new TerrainMaterial(true),
+    );
+    const gradient = made.mesh.geometry.getAttribute('gradient');
+    // With the skirt, which has a node on each side.
+    return (i: number) => nodes.flatMap((j) => [0, 1].map((axis) => gradient.getComponent((j + 1) * (side + 3) + i + 1, axis)));
+  };
+  expect(slopes(0)(side)).toEqual(slopes(side)(0));
+  expect(slopes(0)(side)[0]).toBeCloseTo((height(side + 1, 0) - height(side - 1, 0)) / 20, 5);
 });

@@ -94,7 +94,14 @@ export class Tile implements TerrainTile {
     const height = new Float32Array(across * along);
     const gradient = new Float32Array(2 * height.length);
     let [low, high, rough] = [Infinity, -Infinity, 0];
-    const at = (i: number, j: number) => this.heights[j * columns + i]!;
+    // A step beyond the tile, so that slopes are those of the whole terrain: neighbours must have the same at their border.
+    const around = arrays.around as Float32Array;
+    const at = (i: number, j: number) => {
+      if (j < 0) return around[i]!;
+      if (j === rows) return around[columns + i]!;
+      if (i < 0) return around[2 * columns + j]!;
+      return i === columns ? around[2 * columns + rows + j]! : this.heights[j * columns + i]!;
+    };
     // The slope between both neighbours, or to the only one.
     const rise = (before: number, here: number, after: number, step: number) => {
       const [b, a] = [Number.isNaN(before) ? here : before, Number.isNaN(after) ? here : after];
@@ -109,8 +116,8 @@ export class Tile implements TerrainTile {
         if (Number.isNaN(here)) continue;
         low = Math.min(low, here);
         high = Math.max(high, here);
-        const gx = rise(i > 0 ? at(i - 1, j) : NaN, here, i + 1 < columns ? at(i + 1, j) : NaN, cell[0]);
-        const gy = rise(j > 0 ? at(i, j - 1) : NaN, here, j + 1 < rows ? at(i, j + 1) : NaN, cell[1]);
+        const gx = rise(at(i - 1, j), here, at(i + 1, j), cell[0]);
+        const gy = rise(at(i, j - 1), here, at(i, j + 1), cell[1]);
         gradient[2 * k] = gx;
         gradient[2 * k + 1] = gy;
         rough = Math.max(rough, Math.abs(gx) * cell[0], Math.abs(gy) * cell[1]);
@@ -155,6 +162,7 @@ export class Tile implements TerrainTile {
     this.mesh.position.set(x, y, z);
     this.mesh.scale.set(cell[0], cell[1], 1);
     this.kinds = kindsOf(columns - 1, rows - 1, arrays.materials);
+    this.mesh.userData.textures = [this.kinds];
     this.mesh.onBeforeRender = () => {
       material.uniforms.cellKinds.value = this.kinds;
       material.uniformsNeedUpdate = true;

@@ -12,7 +12,10 @@ import { equalAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
 import { fit, frame } from './framed';
-import { animatedSection, sectionPicture } from './sectionPrint';
+import { animatedSection } from './sectionPrint';
+
+/// A section is drawn from what the page holds anyway.
+const memory = () => ({});
 
 function zoom(factor: number) {
   const now = frame.value;
@@ -36,11 +39,11 @@ export function SectionBar() {
       </button>
       <PathChoices />
       <FilterChoices />
-      <LayerChoices />
+      <LayerChoices memory={memory} />
       <DistanceButton />
       <AskButton />
       <SlopeButton />
-      <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet(sectionPicture)}>
+      <button class="button" title="Save the picture for print: PNG, 300 dpi" onClick={() => void saveSheet()}>
         Picture
       </button>
       <AnimationButton view={animatedSection} />

@@ -5,11 +5,13 @@ import { ToolHint } from '../scene/ToolHint';
 import { model } from '../state/model';
 import { Legends } from '../view/Legend';
 import { chosenRock, resultsTab } from '../state/view';
+import { offerSheet } from '../view/sheet';
 import { offerThumbnail } from '../view/thumbnail';
 import { frame } from './framed';
 import { keepDrawn, pathsToDraw, pointer } from './picture';
 import { listen } from './pointing';
 import { rockAt } from './pathLayer';
+import { sectionPicture } from './sectionPrint';
 import { sectionThumbnail } from './sectionThumbnail';
 import { sectionLegends } from './sectionLegends';
 import { SectionBar } from './SectionBar';
@@ -51,9 +53,11 @@ export function SectionView() {
   useEffect(() => {
     const endDrawing = keepDrawn(host.current!, canvas.current!);
     const endOffering = offerThumbnail(sectionThumbnail);
+    const endSheet = offerSheet(sectionPicture);
     const endListening = listen(canvas.current!, (event) => chooseRock(canvas.current!, event), (event) => rockOf(canvas.current!, event));
     return () => {
       endOffering();
+      endSheet();
       endDrawing();
       endListening();
     };

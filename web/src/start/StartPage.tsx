@@ -1,4 +1,4 @@
-// The start page: examples, a new project, the projects of the folder.
+// The start page: the projects of the folder, a new project, examples.
 
 import { useEffect } from 'preact/hooks';
 import { signal } from '@preact/signals';
@@ -7,11 +7,11 @@ import { listenToDrops } from '../model/terrainFile';
 import { about } from '../state/about';
 import { reportFailure } from '../state/messages';
 import { open } from '../state/opening';
-import { compute, ownRuns, runs } from '../state/runs';
+import { compute, ownRuns } from '../state/runs';
 import { verifying } from '../state/view';
 import { beginWith, NewProject } from './NewProject';
 import { CardPicture, DeletedProjects, ProjectList } from './ProjectList';
-import { examplePicture, examples, loadProjects, projectsNow } from './projects';
+import { examplePicture, examples, loadProjects } from './projects';
 import { VerificationPage } from './VerificationPage';
 import './start.css';
 
@@ -35,21 +35,6 @@ export function StartPage() {
   useEffect(() => listenToDrops((list) => beginWith(list)), []);
   if (verifying.value) return <VerificationPage close={() => (verifying.value = false)} />;
   const openExample = (id: string) => void show(id).catch(reportFailure);
-  const hasProjects = projectsNow(runs.value).length > 0;
-  const tryOut = (
-    <section aria-labelledby="examples">
-      <h2 id="examples">Try an example</h2>
-      <div class="cards">
-        {examples.value.map(({ id, title, what }) => (
-          <button key={id} class="card" onClick={() => openExample(id)}>
-            <CardPicture address={examplePicture(id)} />
-            <span class="name">{title}</span>
-            <span class="faint">{what}</span>
-          </button>
-        ))}
-      </div>
-    </section>
-  );
   return (
     <main class="start">
       <header>
@@ -60,17 +45,19 @@ export function StartPage() {
         </div>
       </header>
       <ProjectList />
-      {hasProjects ? (
-        <>
-          <NewProject />
-          {tryOut}
-        </>
-      ) : (
-        <>
-          {tryOut}
-          <NewProject />
-        </>
-      )}
+      <NewProject />
+      <section aria-labelledby="examples">
+        <h2 id="examples">Try an example</h2>
+        <div class="cards">
+          {examples.value.map(({ id, title, what }) => (
+            <button key={id} class="card" onClick={() => openExample(id)}>
+              <CardPicture address={examplePicture(id)} />
+              <span class="name">{title}</span>
+              <span class="faint">{what}</span>
+            </button>
+          ))}
+        </div>
+      </section>
       <DeletedProjects />
       <footer class="faint">
         <p>

@@ -1,10 +1,11 @@
 import { LayerList } from '../layers/LayerList';
 import { dimension } from '../model/place';
+import { MemoryNote } from './MemoryNote';
 import { Popover } from './Popover';
 import { layerNames, layers } from './settings';
 
-/// The layers of the model and of the run that a view shows.
-export function LayerChoices() {
+/// The layers of the model and of the run that a view shows. `memory`: of its parts.
+export function LayerChoices({ memory }: { memory: () => Record<string, number> }) {
   return (
     <Popover title="Layers">
       {(Object.keys(layers) as (keyof typeof layers)[]).map((name) => (
@@ -14,6 +15,7 @@ export function LayerChoices() {
         </label>
       ))}
       {dimension.value === 3 && <LayerList />}
+      <MemoryNote parts={memory} />
     </Popover>
   );
 }

@@ -88,8 +88,10 @@ function drawNorth(pen: Pen, heading: number, x: number, y: number) {
   pen.restore();
 }
 
+export const projectTitle = () => (typeof values.peek().name === 'string' ? (values.peek().name as string) : fileStem());
+
 /// Of the title block of the report: what identifies the work.
-function titleBlockFacts(): string[] {
+export function titleBlockFacts(): string[] {
   const block = values.peek().report;
   const of = (key: string) => (isTable(block) && typeof block[key] === 'string' ? (block[key] as string) : '');
   return [of('client'), of('project'), of('number'), of('revision') && `Rev. ${of('revision')}`, of('author')].filter(Boolean);
@@ -99,8 +101,7 @@ function drawWords(pen: Pen, remarks: readonly string[]) {
   pen.fillStyle = ink;
   pen.textBaseline = 'alphabetic';
   pen.font = font(19, 600);
-  const title = typeof values.peek().name === 'string' ? (values.peek().name as string) : fileStem();
-  pen.fillText(title, margin, 30, sheet.width - 2 * margin);
+  pen.fillText(projectTitle(), margin, 30, sheet.width - 2 * margin);
   const run = shown.peek();
   const ofRun = run && hasResults(run) ? [`Run ${run.name}: ${counted(run.done, 'rock')}`] : [];
   pen.font = font(12);
@@ -137,9 +138,24 @@ export function sheetOf({ canvas, legends, metresPerPixel, heading, remarks }: S
   return made;
 }
 
-export async function saveSheet(picture: () => SheetPicture | Promise<SheetPicture>) {
+/// Paints the open view; null: there is none.
+let paintView: (() => SheetPicture | Promise<SheetPicture>) | null = null;
+
+/// A view that is open offers its picture. Returns a function that ends this.
+export function offerSheet(paint: () => SheetPicture | Promise<SheetPicture>): () => void {
+  paintView = paint;
+  return () => {
+    if (paintView === paint) paintView = null;
+  };
+}
+
+/// The sheet of the open view.
+export const sheetPng = async (): Promise<Blob | null> => (paintView ? printPng(sheetOf(await paintView())) : null);
+
+export async function saveSheet() {
   try {
-    saveFile(`${fileStem() || 'view'}.png`, await printPng(sheetOf(await picture())));
+    const png = await sheetPng();
+    if (png) saveFile(`${fileStem() || 'view'}.png`, png);
   } catch (error) {
     reportFailure(error);
   }

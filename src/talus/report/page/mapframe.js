@@ -75,7 +75,7 @@ const scaleText = (denominator) => `Scale 1:${number(denominator)} on ${paperNam
 // the y of their end.
 function noteMap(svg, {width, isBeside}, frame, run, more, y, lowest) {
   const lines = [[scaleText(frame.denominator), ...more].join(', '), systemText(run)];
-  const top = isBeside ? y : lowest + 16;
+  const top = isBeside ? y : lowest + 22;
   lines.forEach((text, i) => svg.append('text').attr('class', 'map-note').attr('text-anchor', isBeside ? 'end' : 'start')
     .attr('x', isBeside ? width - 12 : frame.side.left).attr('y', top + 17 * i).text(text));
   return Math.max(lowest, top + 17) + 8;
@@ -114,14 +114,44 @@ function hillshade(relief) {
   return large.toDataURL('image/png');
 }
 
-function drawBarrierOnPlan(group, barrier, toX, toY, side) {
-  const line = barrierLine(barrier);
-  if (line.length < 2) return;
-  group.append('path').attr('class', 'barrier').attr('d', 'M' + line.map(([x, y]) => `${toX(x)},${toY(y)}`).join('L'));
-  const [x, y] = line[line.length - 1];
-  const atRight = toX(x) + 8 + 7.2 * barrier.name.length > side.right;
-  group.append('text').attr('class', 'barrier-name halo').attr('x', toX(x) + (atRight ? -8 : 8)).attr('y', Math.max(toY(y) + 4, side.top + 14))
-    .attr('text-anchor', atRight ? 'end' : 'start').text(barrier.name);
+// Boxes [left, top, right, bottom] of marks and names on a map.
+const boxOfText = (text, anchor, x, y) => {
+  const width = 7.2 * text.length;
+  const left = {start: x, middle: x - width / 2, end: x - width}[anchor];
+  return [left, y - 12, left + width, y + 4];
+};
+const touches = (a, b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+const isFree = (box, taken) => !taken.some((other) => touches(box, other));
+
+// Where the name of a line can stand: beside its last point, its first or a point between, and then above or below.
+function namePlaces(text, line, {side, toX, toY}) {
+  const points = [line[line.length - 1], line[0], ...[0.85, 0.15, 0.5].map((share) => alongLine(line, share))];
+  const beside = (anchor, dx, dy) => points.map((p) => ({anchor, x: toX(p[0]) + dx, y: Math.max(toY(p[1]) + dy, side.top + 14)}));
+  const all = [...beside('start', 8, 4), ...beside('end', -8, 4), ...beside('middle', 0, -8), ...beside('middle', 0, 18)];
+  return all.map((place) => ({...place, box: boxOfText(text, place.anchor, place.x, place.y)}));
+}
+
+// A point of a line on plan, at a share of its length.
+function alongLine(line, share) {
+  const lengths = line.slice(1).map(([x, y], i) => Math.hypot(x - line[i][0], y - line[i][1]));
+  let rest = share * lengths.reduce((sum, each) => sum + each, 0), k = 0;
+  while (k < lengths.length - 1 && rest > lengths[k]) rest -= lengths[k++];
+  const [a, b] = [line[k], line[k + 1]], t = lengths[k] > 0 ? rest / lengths[k] : 0;
+  return [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+}
+
+// Draws barriers and collectors; their names keep clear of the boxes in `taken` and of each other.
+function drawBarriersOnPlan(group, barriers, frame, taken) {
+  const {side: {left, top, right, bottom}, toX, toY} = frame;
+  const lines = barriers.map(({name, ...rest}) => ({name, line: barrierLine(rest)})).filter(({line}) => line.length > 1);
+  for (const {line} of lines) group.append('path').attr('class', 'barrier').attr('d', 'M' + line.map(([x, y]) => `${toX(x)},${toY(y)}`).join('L'));
+  for (const {name, line} of lines) {
+    const places = namePlaces(name, line, frame);
+    const inside = places.filter(({box}) => box[0] >= left && box[2] <= right && box[1] >= top && box[3] <= bottom);
+    const place = inside.find(({box}) => isFree(box, taken)) || inside[0] || places[0];
+    taken.push(place.box);
+    group.append('text').attr('class', 'barrier-name halo').attr('x', place.x).attr('y', place.y).attr('text-anchor', place.anchor).text(name);
+  }
 }
 
 // The largest 1, 2 or 5 times a power of ten that is at most `maximum`.
@@ -130,8 +160,11 @@ function roundLength(maximum) {
   return power * [5, 2, 1].find((times) => times * power <= maximum);
 }
 
+const scaleLength = ({left, right}, scale) => roundLength((right - left) / scale / 3);
+const scaleBox = (side, scale) => [side.left + 8, side.bottom - 34, side.left + 20 + scaleLength(side, scale) * scale, side.bottom - 8];
+
 function drawScaleBar(group, side, scale) {
-  const length = roundLength((side.right - side.left) / scale / 3);
+  const length = scaleLength(side, scale);
   const x = side.left + 12, y = side.bottom - 14;
   const bar = group.append('g').attr('class', 'scale-bar');
   bar.append('path').attr('class', 'halo').attr('d', `M${x},${y - 5}v5h${length * scale}v-5`);
@@ -139,10 +172,22 @@ function drawScaleBar(group, side, scale) {
   bar.append('text').attr('class', 'halo').attr('x', x + length * scale / 2).attr('y', y - 5).attr('text-anchor', 'middle').text(`${number(length)} m`);
 }
 
+const northBox = ({left, top}) => [left + 8, top + 6, left + 32, top + 48];
+
 // The map's y axis points up; it is north if the terrain has map coordinates.
 function drawNorthArrow(group, side, isNorth) {
   const arrow = group.append('g').attr('class', 'north').attr('transform', `translate(${side.left + 20},${side.top + 10})`);
   arrow.append('path').attr('class', 'halo').attr('d', 'M0,0l7,20l-7,-5l-7,5z');
   arrow.append('path').attr('class', 'arrow').attr('d', 'M0,0l7,20l-7,-5l-7,5z');
   arrow.append('text').attr('class', 'halo').attr('y', 33).attr('text-anchor', 'middle').text(isNorth ? 'N' : 'y');
+}
+
+// The boxes of scale bar and north arrow.
+const fixedBoxes = ({side, scale}) => [scaleBox(side, scale), northBox(side)];
+
+// Scale bar, north arrow, barriers and their names; `taken`: the boxes that names must not cover.
+function finishMap(group, frame, run, barriers, taken = fixedBoxes(frame)) {
+  drawBarriersOnPlan(group, barriers, frame, taken);
+  drawScaleBar(group, frame.side, frame.scale);
+  drawNorthArrow(group, frame.side, Boolean(run.terrain.crs_wkt));
 }

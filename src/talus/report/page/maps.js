@@ -99,10 +99,8 @@ function mapFigure(parent, run, map, scale, view) {
         const value = values[Math.floor((y - y0) / dy) * map.columns + Math.floor((x - x0) / dx)];
         return `x ${number(x, 7)} m, y ${number(y, 7)} m\n` + (isNumber(value) ? `about ${number(value, 2)} ${kind.unit}` : 'no rock');
       });
-      for (const barrier of barriersOf(run)) drawBarrierOnPlan(inside, barrier, toX, toY, side);
       drawReleases(inside, [run], toX, toY, (p) => p.x, (p) => p.y);
-      drawScaleBar(inside, side, frame.scale);
-      drawNorthArrow(inside, side, Boolean(run.terrain.crs_wkt));
+      finishMap(inside, frame, run, barriersOf(run));
       const y = side.bottom + 56;
       return noteMap(svg, mapRoom(width), frame, run, [`cells of ${cellText}`, `up to ${measured(map.greatest / kind.per)} ${kind.unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
     },

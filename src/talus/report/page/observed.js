@@ -34,10 +34,8 @@ function observedPlan(parent, run) {
       }
       tip(inside.append('g').style('--run', run.colour).selectAll('circle').data(run.endpoints).enter().append('circle').attr('class', 'end')
         .attr('r', run.endpoints.length > 600 ? 1.8 : 2.8).attr('cx', (e) => toX(e.x)).attr('cy', (e) => toY(e.y)), endText(run));
-      for (const barrier of barriersOf(run)) drawBarrierOnPlan(inside, barrier, toX, toY, side);
       drawStops(inside, run, toX, toY);
-      drawScaleBar(inside, side, frame.scale);
-      drawNorthArrow(inside, side, Boolean(run.terrain.crs_wkt));
+      finishMap(inside, frame, run, barriersOf(run));
       const y = side.bottom + 58;
       const signs = [{text: 'observed stop', draw: stopSign}, {text: 'simulated end point', draw: sign.circle('end', run.colour)}];
       return noteMap(svg, mapRoom(width), frame, run, [], y, legend(svg, signs, side.left, y, width === drawing.wide ? 0.6 * width : width) + 6);

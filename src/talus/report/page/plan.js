@@ -84,7 +84,8 @@ function contoursOf(shown) {
   return plan.contours.get(key);
 }
 
-function drawContours(inside, {interval, lines: contourSets}, {toX, toY, shown: {x: [x0, x1], y: [y0, y1]}}) {
+// The names keep clear of the boxes in `taken`, to which theirs are added.
+function drawContours(inside, {interval, lines: contourSets}, {toX, toY, shown: {x: [x0, x1], y: [y0, y1]}}, taken) {
   const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
   const named = [];  // positions of contour labels, kept apart from each other
   const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
@@ -94,10 +95,12 @@ function drawContours(inside, {interval, lines: contourSets}, {toX, toY, shown: 
     const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
     if (!main || longest.length < 8) continue;
     const place = longest[Math.floor(longest.length * 0.12)];
-    const at = [toX(place[0]), toY(place[1])];
-    if (named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
+    const text = `${number(level)} m`, at = [toX(place[0]), toY(place[1])];
+    const box = boxOfText(text, 'middle', at[0], at[1] + 4);
+    if (!isFree(box, taken) || named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
     named.push(at);
-    inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(`${number(level)} m`);
+    taken.push(box);
+    inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(text);
   }
 }
 
@@ -109,15 +112,14 @@ function drawPlan(svg, room, extent, id) {
   const {side, toX, toY} = frame;
   const contours = contoursOf(frame.shown);
   const inside = openMap(svg, id, frame);
+  const taken = fixedBoxes(frame);
   if (plan.relief) {
     layRelief(inside, frame, plan.relief, plan.picture);
-    drawContours(inside, contours, frame);
+    drawContours(inside, contours, frame, taken);
   }
   const flat = (rock) => 'M' + rock.rows.map((row) => `${toX(row.x).toFixed(2)},${toY(row.y).toFixed(2)}`).join('L');
   drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
-  for (const barrier of plan.spatial.flatMap(barriersOf)) drawBarrierOnPlan(inside, barrier, toX, toY, side);
-  drawScaleBar(inside, side, frame.scale);
-  drawNorthArrow(inside, side, Boolean(plan.spatial[0].terrain.crs_wkt));
+  finishMap(inside, frame, plan.spatial[0], plan.spatial.flatMap(barriersOf), taken);
   const signs = [
     ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
     {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},

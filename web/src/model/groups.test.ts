@@ -1,0 +1,10 @@
+import { expect, test } from 'vitest';
+import { groupsIn } from './groups';
+import { tables } from './settings';
+
+test('the form of each table shows each of its settings once', () => {
+  for (const table of tables) {
+    const shown = groupsIn(table, table.fields).flatMap(({ fields }) => fields.map(({ key }) => key));
+    expect(shown.toSorted(), table.key).toEqual(table.fields.map(({ key }) => key).toSorted());
+  }
+});
