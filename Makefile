@@ -5,10 +5,12 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-d
   libcpp-httplib-dev libssl-dev
 TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin python3 chromium poppler-utils esbuild node-d3
 
+QGIS_PACKAGES := qgis python3-qgis qgis-providers xvfb xauth
+
 FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
 FUZZ_SECONDS ?= 600
 
-.PHONY: build run test verify validate bench soak asan tsan fuzz tidy format clean setup setup-test
+.PHONY: build run test test-qgis verify validate bench soak asan tsan fuzz tidy format clean setup setup-test
 
 define install
 	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
@@ -56,6 +58,12 @@ asan: setup-test
 
 tsan: setup-test
 	@cmake --preset tsan >/dev/null && cmake --build --preset tsan && ctest --preset tsan
+
+# The QGIS plugin, in a QGIS without a window.
+test-qgis: build
+	$(call install,$(QGIS_PACKAGES))
+	@TALUS_PROGRAM=build/talus QT_QPA_PLATFORM=offscreen PYTHONDONTWRITEBYTECODE=1 \
+	  /usr/bin/python3 -m unittest discover -s qgis/tests
 
 # Hostile bytes for every reader, each for FUZZ_SECONDS.
 fuzz: setup

@@ -1,5 +1,6 @@
-# What `cmake --install` installs: the program, the headers and libraries of all rooms, and a CMake package, with which
-# another project can use `find_package(Talus)` and link Talus::talus, or single rooms (Talus::flight).
+# What `cmake --install` installs: the program, the plugin of QGIS, the headers and libraries of all rooms, and a CMake
+# package, with which another project can use `find_package(Talus)` and link Talus::talus, or single rooms
+# (Talus::flight).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -7,6 +8,10 @@ talus_list_rooms(rooms)
 install(TARGETS talus talus_flags ${rooms} EXPORT Talus ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}/talus)
 install(DIRECTORY src/talus DESTINATION include FILES_MATCHING PATTERN "*.hpp")
 install(TARGETS talus_cli)
+
+# Where QGIS of the distribution looks for plugins, if the prefix is /usr.
+install(DIRECTORY qgis/talus_provider DESTINATION ${CMAKE_INSTALL_DATADIR}/qgis/python/plugins COMPONENT qgis
+  PATTERN __pycache__ EXCLUDE)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Talus)
 install(EXPORT Talus NAMESPACE Talus:: FILE TalusTargets.cmake DESTINATION ${package})

@@ -39,6 +39,7 @@ Loaded load_run(const LineOptions& options) {
                            .hint = "Run the project again"});
   }
   project::Overrides overrides;
+  overrides.asks_a_line = true;
   for (const std::string& setting : options.design) overrides.settings.push_back("design." + setting);
   fs::path folder = fs::absolute(options.folder).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();  // of "out/"

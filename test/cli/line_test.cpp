@@ -115,6 +115,16 @@ TEST_F(LineCommand, SaysWhatStaysInADitch) {
             "--ditch: is a stretch of a section (this run is 3D). Ask for a line or a polygon\n");
 }
 
+TEST_F(LineCommand, TakesADesignForAProjectWithoutLines) {
+  work_.write("face.toml", vertical_face);
+  const std::string face = (work_ / "face").string();
+  const Said run = talus_says("run " + (work_ / "face.toml").string() + " --quiet -o " + face);
+  ASSERT_EQ(run.exit_code, 0) << run.text;
+  const Said said = talus_says("line " + face + " --line 12 --design confidence=0.9");
+  EXPECT_EQ(said.exit_code, 0) << said.text;
+  EXPECT_NE(said.text.find("(confidence 90 %)"), std::string::npos) << said.text;
+}
+
 TEST_F(LineCommand, RefusesWithTheReason) {
   EXPECT_EQ(text_of("--line '15,0 15,north'", 2),
             "--line: \"15,north\" is not a place (expected x,y). Write \"x,y x,y ...\", or name a file that "

@@ -40,6 +40,7 @@ project::DesignBasis basis_of(const Call& call, const Run& run, const RunStore& 
   if (given == call.body.end() || given->is_null()) return project::design_basis(open.built->project);
   if (!given->is_object()) throw Refusal(400, "design", "is not valid", "expected keys of [design] with their values");
   project::Overrides overrides = overrides_of(run);
+  overrides.asks_a_line = true;
   for (const auto& [key, value] : given->items())
     overrides.settings.push_back(fmt::format("design.{}={}", key, value.dump()));
   const auto reading = project::read_project_text(project::text_of_file(run.folder / run_project_name),

@@ -36,8 +36,8 @@ bool is_random(const Table& declared, const Row& row) {
 class Rules {
  public:
   Rules(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
-        Problems& problems)
-      : project_(project), document_(document), refused_(refused), problems_(problems) {}
+        bool asks_a_line, Problems& problems)
+      : project_(project), document_(document), refused_(refused), asks_a_line_(asks_a_line), problems_(problems) {}
 
   void run() {
     check_name();
@@ -307,6 +307,7 @@ class Rules {
                 rows("collector"),
                 rows("kit"),
                 is_2d(document_.root()),
+                asks_a_line_,
                 [&](const toml::table* of, std::string_view key) { return accepted(of, key); },
                 [&](Node at, std::string what, std::string why, std::string hint, Severity severity) {
                   report(at, "[design]", std::move(what), std::move(why), std::move(hint), severity);
@@ -396,6 +397,7 @@ class Rules {
   const Project& project_;
   const Document& document_;
   const std::unordered_set<const toml::node*>& refused_;
+  bool asks_a_line_;
   Problems& problems_;
   const ConditionCheck conditions_{document_.root(), refused_};
 };
@@ -403,8 +405,8 @@ class Rules {
 }  // namespace
 
 void check(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
-           Problems& problems) {
-  Rules(project, document, refused, problems).run();
+           bool asks_a_line, Problems& problems) {
+  Rules(project, document, refused, asks_a_line, problems).run();
 }
 
 }  // namespace talus::project

@@ -10,8 +10,8 @@
 
 namespace talus::project {
 
-/// `refused` are the values that were reported and are therefore not in the project.
+/// `refused` are the values that were reported and are therefore not in the project. `asks_a_line`: see Overrides.
 void check(const Project& project, const Document& document, const std::unordered_set<const toml::node*>& refused,
-           Problems& problems);
+           bool asks_a_line, Problems& problems);
 
 }  // namespace talus::project

@@ -15,7 +15,7 @@
 namespace talus::project {
 
 void DesignRules::check() const {
-  if (barriers.empty() && collectors.empty()) {
+  if (barriers.empty() && collectors.empty() && !asks_a_line) {
     report(&row, "there is no line to design for", "the project has no barrier and no collector",
            "Add a [[collector]] with a line and a height_m", Severity::error);
     return;

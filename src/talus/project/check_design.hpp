@@ -19,6 +19,7 @@ struct DesignRules {
   const toml::table& row;                                      // [design] in the file
   std::vector<const toml::table*> barriers, collectors, kits;  // their rows; null: not a table
   std::optional<bool> is_2d;                                   // nullopt: unknown
+  bool asks_a_line;                                            // of a finished run: the project needs none
   /// The value of a key of a table; null if the file does not give it or it was refused.
   std::function<const toml::node*(const toml::table* of, std::string_view key)> accepted;
   std::function<void(const toml::node* at, std::string what, std::string why, std::string hint, Severity severity)>

@@ -150,7 +150,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
   if (!problems.has_errors()) complete(project);
   project.named_files = reader.named_files();
   read_section_of_file(project, problems);
-  check(project, document, reader.refused(), problems);
+  check(project, document, reader.refused(), overrides.asks_a_line, problems);
   problems = problems.in_order_of(document.file());
   if (problems.has_errors()) throw BadInput(std::move(problems));
 

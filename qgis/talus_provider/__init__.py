@@ -1,0 +1,7 @@
+"""The QGIS plugin of Talus: a provider of Processing that drives the program `talus` through project files."""
+
+
+def classFactory(iface):
+    from .plugin import TalusPlugin
+
+    return TalusPlugin()
