@@ -6,11 +6,13 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-d
 TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin python3 chromium poppler-utils esbuild node-d3
 
 QGIS_PACKAGES := qgis python3-qgis qgis-providers xvfb xauth
-
+DOCS_PACKAGES := python3-sphinx python3-myst-parser furo node-normalize.css
+PACK_PACKAGES := dpkg-dev lintian desktop-file-utils
 FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
 FUZZ_SECONDS ?= 600
 
-.PHONY: build run test test-qgis verify validate bench soak asan tsan fuzz tidy format clean setup setup-test
+.PHONY: build run test test-qgis verify validate bench docs package test-package release soak asan tsan fuzz tidy format clean \
+  setup setup-test
 
 define install
 	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
@@ -64,6 +66,29 @@ test-qgis: build
 	$(call install,$(QGIS_PACKAGES))
 	@TALUS_PROGRAM=build/talus QT_QPA_PLATFORM=offscreen PYTHONDONTWRITEBYTECODE=1 \
 	  /usr/bin/python3 -m unittest discover -s qgis/tests
+
+# The site of the documentation, for reading without a network.
+docs: setup
+	$(call install,$(DOCS_PACKAGES))
+	@[ -d web/node_modules/katex ] || npm ci --prefix web --ignore-scripts --no-audit --no-fund --loglevel=error
+	@rm -rf build-docs && sphinx-build -q -W --keep-going -b html -c docs/site -d build-docs/doctrees . build-docs/html
+	@python3 docs/site/check.py build-docs/html
+
+# Debian packages, an archive of the program that runs in any folder, and one of the source: build/packages.
+package: setup
+	$(call install,$(PACK_PACKAGES))
+	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON --no-warn-unused-cli \
+	  -DTALUS_PYTHON_DIR=lib/python3/dist-packages >/dev/null && cmake --build --preset release
+	@packaging/package build/packages
+
+# The packages in a fresh Debian 12 and the archive in another folder, as their users have them. Needs root.
+test-package: package
+	$(call install,mmdebstrap)
+	@packaging/test build/packages
+
+# A release is a tag on a commit for which everything holds: make release VERSION=1.2.3.
+release: setup-test
+	@packaging/release "$(VERSION)"
 
 # Hostile bytes for every reader, each for FUZZ_SECONDS.
 fuzz: setup

@@ -1,15 +1,28 @@
 #pragma once
 // The commands of the program, one a file. Each returns the exit code and throws BadInput for bad input.
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+namespace CLI {
+class App;
+}
+
 namespace talus::cli {
 
 enum ExitCode { done = 0, check_failed = 1, bad_input = 2, stopped = 3, internal_error = 4 };
+
+struct ExitMeaning {
+  ExitCode code;
+  const char* meaning;
+};
+inline constexpr std::array exit_meanings{
+    ExitMeaning{done, "done"}, ExitMeaning{check_failed, "a check failed"}, ExitMeaning{bad_input, "bad input"},
+    ExitMeaning{stopped, "stopped by a signal (results so far kept)"}, ExitMeaning{internal_error, "internal error"}};
 
 /// Options that override settings of a project file.
 struct ProjectOptions {
@@ -154,5 +167,11 @@ struct NewOptions {
   bool force = false;
 };
 int start_project(const NewOptions& options);
+
+/// Prints the manual page of the commands that `app` declares.
+int manual(const CLI::App& app);
+
+/// Prints a script with which a shell (bash, zsh or fish) completes the commands that `app` declares.
+int completion(const CLI::App& app, const std::string& shell);
 
 }  // namespace talus::cli

@@ -68,10 +68,10 @@ int dispatch(int argc, char** argv) {
                "talus"};
   app.set_version_flag("--version", std::string("talus ") + TALUS_VERSION);
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 done, 1 a check failed, 2 bad input, 3 stopped by a signal (results so far kept), 4 internal "
-      "error.\n"
-      "`talus COMMAND --help` describes each command.");
+  std::string exits;
+  for (const ExitMeaning& exit : exit_meanings)
+    exits += fmt::format("{}{} {}", exits.empty() ? "" : ", ", static_cast<int>(exit.code), exit.meaning);
+  app.footer("Exit codes: " + exits + ".\n`talus COMMAND --help` describes each command.");
 
   RunOptions run_options;
   CLI::App* run_command = app.add_subcommand("run", "Run a project, and write tables and a report");
@@ -295,7 +295,7 @@ int dispatch(int argc, char** argv) {
                    "Print the report to this PDF file with an installed Chromium or Chrome, instead of writing a page")
       ->check(names_file)
       ->type_name("FILE.pdf");
-  report_command->add_option("--paper", report_options.paper, "A4 or A3, instead of the project's")->type_name("PAPER");
+  report_command->add_option("--paper", report_options.paper, "Paper, instead of the project's")->type_name("A4|A3");
   report_command
       ->add_option("--set", report_options.settings,
                    "Override a setting of [report], for example --set report.author=\"A. Meier\"; repeatable")
@@ -389,6 +389,16 @@ int dispatch(int argc, char** argv) {
       ->type_name("PROJECT.toml");
   new_command->add_flag("--force", new_options.force, "Overwrite an existing file");
 
+  CLI::App* manual_command = app.add_subcommand("manual", "Print the manual page: talus manual | man -l -");
+
+  std::string shell;
+  CLI::App* completion_command = app.add_subcommand(
+      "completion", "Print a script that completes commands and options in a shell: eval \"$(talus completion bash)\"");
+  completion_command->add_option("shell", shell, "The shell")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->type_name("bash|zsh|fish");
+
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   app.failure_message([&](const CLI::App*, const CLI::Error& error) { return message_about(app, error, words); });
   try {
@@ -419,6 +429,8 @@ int dispatch(int argc, char** argv) {
   if (*validate_command) return validate(validate_options);
   if (*materials_command) return materials();
   if (*schema_command) return schema();
+  if (*manual_command) return manual(app);
+  if (*completion_command) return completion(app, shell);
   return start_project(new_options);
 }
 

@@ -191,7 +191,7 @@ TEST(RefusedByTheProgram, AnUnknownCommand) {
   const Workplace place;
   const std::string known =
                         "(known commands: run, serve, merge, calibrate, check, replay, line, what-if, report, export, "
-                        "sensitivity, verify, validate, materials, schema, new)",
+                        "sensitivity, verify, validate, materials, schema, new, manual, completion)",
                     help = "\nSee `talus --help`.\n";
   EXPECT_EQ(said(place, "rnu slope.toml"), "2 there is no command \"rnu\". Did you mean \"run\"?" + help);
   EXPECT_EQ(said(place, "slope.toml"),

@@ -40,6 +40,16 @@ export function DocumentDialog() {
   );
 }
 
+/// An equation of the documentation, set once the library for it is loaded.
+function Equation({ text, isBlock }: { text: string; isBlock: boolean }) {
+  const [html, setHtml] = useState('');
+  useEffect(() => {
+    void import('./equation').then(({ setEquation }) => setHtml(setEquation(text, isBlock)), reportFailure);
+  }, [text, isBlock]);
+  const Tag = isBlock ? 'div' : 'span';
+  return <Tag class={isBlock ? 'scroll' : ''} dangerouslySetInnerHTML={{ __html: html }} />;
+}
+
 function Spans({ text }: { text: string }) {
   return (
     <>
@@ -51,6 +61,8 @@ function Spans({ text }: { text: string }) {
             return <strong key={k}>{span.text}</strong>;
           case 'emphasis':
             return <em key={k}>{span.text}</em>;
+          case 'equation':
+            return <Equation key={k} text={span.text} isBlock={false} />;
           case 'link':
             return <span key={k}>{span.text}</span>;
           default:
@@ -77,6 +89,8 @@ function BlockView({ block }: { block: Block }) {
       );
     case 'code':
       return <pre>{block.text}</pre>;
+    case 'equation':
+      return <Equation text={block.text} isBlock />;
     case 'list': {
       const items = block.items.map((item, k) => (
         <li key={k}>

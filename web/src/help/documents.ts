@@ -2,6 +2,9 @@
 
 const files = import.meta.glob<string>('../../../docs/*.md', { query: '?raw', import: 'default' });
 
+/// The names of all documents.
+export const documents = Object.keys(files).map((path) => path.slice(path.lastIndexOf('/') + 1));
+
 /// The text of a document, such as `laws.md`. Rejects if there is none of that name.
 export async function textOf(document: string): Promise<string> {
   const load = files[`../../../docs/${document}`];

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { textOf } from './documents';
+import { documents, textOf } from './documents';
+import { setEquation } from './equation';
 import { blocksOf, sectionOf, spansOf } from './markdown';
 import { topics } from './topics';
 
@@ -21,11 +22,12 @@ describe('blocks', () => {
     expect(blocksOf('| a | b |\n| --- | --- |\n| 1 | |\n')).toEqual([
       { kind: 'table', head: ['a', 'b'], rows: [['1', '']] },
     ]));
+  test('equations', () => expect(blocksOf('```math\na = b\n```')).toEqual([{ kind: 'equation', text: 'a = b' }]));
   test('comments are left out', () => expect(blocksOf('<!-- a\nb -->\nc')).toEqual([{ kind: 'paragraph', text: 'c' }]));
 });
 
 test('spans', () =>
-  expect(spansOf('a `b*c*` **d** *e* [f](g.md) 2 * 3')).toEqual([
+  expect(spansOf('a `b*c*` **d** *e* [f](g.md) 2 * 3 $`h_i`$')).toEqual([
     { kind: 'text', text: 'a ' },
     { kind: 'code', text: 'b*c*' },
     { kind: 'text', text: ' ' },
@@ -34,7 +36,8 @@ test('spans', () =>
     { kind: 'emphasis', text: 'e' },
     { kind: 'text', text: ' ' },
     { kind: 'link', text: 'f', to: 'g.md' },
-    { kind: 'text', text: ' 2 * 3' },
+    { kind: 'text', text: ' 2 * 3 ' },
+    { kind: 'equation', text: 'h_i' },
   ]));
 
 test('a section ends at the next heading of its level', () => {
@@ -48,4 +51,11 @@ test('the documents contain every help topic', async () => {
     const headings = blocksOf(await textOf(document)).filter(({ kind }) => kind === 'heading');
     expect(headings.map((block) => (block as { text: string }).text)).toContain(heading);
   }
+});
+
+test('every equation of the documents is valid', async () => {
+  const texts = (await Promise.all(documents.map(textOf))).join('\n');
+  const equations = [...texts.matchAll(/^```math\n([^]*?)^```|\$`([^`]+)`\$/gm)].map((found) => found[1] ?? found[2]!);
+  expect(equations.length).toBeGreaterThan(50);
+  for (const equation of equations) expect(setEquation(equation, true)).toContain('katex-html');
 });

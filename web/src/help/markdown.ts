@@ -1,14 +1,17 @@
-// The subset of Markdown that the documentation of Talus uses.
+// The subset of Markdown that the documentation of Talus uses. Equations are LaTeX, in a block ```math or inline as
+// $`...`$.
 
 export type Block =
   | { kind: 'heading'; level: number; text: string }
   | { kind: 'paragraph'; text: string }
   | { kind: 'list'; ordered: boolean; items: string[] }
   | { kind: 'table'; head: string[]; rows: string[][] }
-  | { kind: 'code'; text: string };
+  | { kind: 'code'; text: string }
+  | { kind: 'equation'; text: string };
 
 export type Span =
-  { kind: 'text' | 'code' | 'strong' | 'emphasis'; text: string } | { kind: 'link'; text: string; to: string };
+  | { kind: 'text' | 'code' | 'strong' | 'emphasis' | 'equation'; text: string }
+  | { kind: 'link'; text: string; to: string };
 
 const cells = (line: string) =>
   line
@@ -36,7 +39,8 @@ export function blocksOf(markdown: string): Block[] {
       ++k;
     } else if (line.startsWith('```')) {
       ++k;
-      blocks.push({ kind: 'code', text: take((next) => !next.startsWith('```')).join('\n') });
+      const kind = line === '```math' ? 'equation' : 'code';
+      blocks.push({ kind, text: take((next) => !next.startsWith('```')).join('\n') });
       ++k;
     } else if (line.startsWith('|')) {
       const [head, , ...rows] = take((next) => next.startsWith('|'));
@@ -65,15 +69,16 @@ export function sectionOf(blocks: readonly Block[], heading: string): Block[] {
   return blocks.slice(start, length < 0 ? undefined : start + 1 + length);
 }
 
-const marks = /`([^`]+)`|\*\*([^*]+)\*\*|\*([^*\s][^*]*)\*|\[([^\]]+)\]\(([^)]+)\)/g;
+const marks = /\$`([^`]+)`\$|`([^`]+)`|\*\*([^*]+)\*\*|\*([^*\s][^*]*)\*|\[([^\]]+)\]\(([^)]+)\)/g;
 
 export function spansOf(text: string): Span[] {
   const spans: Span[] = [];
   let at = 0;
   for (const found of text.matchAll(marks)) {
     if (found.index > at) spans.push({ kind: 'text', text: text.slice(at, found.index) });
-    const [whole, code, strong, emphasis, name, to] = found;
-    if (code !== undefined) spans.push({ kind: 'code', text: code });
+    const [whole, equation, code, strong, emphasis, name, to] = found;
+    if (equation !== undefined) spans.push({ kind: 'equation', text: equation });
+    else if (code !== undefined) spans.push({ kind: 'code', text: code });
     else if (strong !== undefined) spans.push({ kind: 'strong', text: strong });
     else if (emphasis !== undefined) spans.push({ kind: 'emphasis', text: emphasis });
     else spans.push({ kind: 'link', text: name!, to: to! });
