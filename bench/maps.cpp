@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
   const std::uint64_t rocks = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 200'000;
   const int threads = argc > 2 ? std::atoi(argv[2]) : 1;
   const Model model = slope_of_waves(rocks);
-  const auto& surface = std::get<RasterSurface>(model.surface);
+  const auto& surface = std::get<RasterSurface>(*model.surface);
 
   bench::EndHash ends;
   Observer* const without[] = {&ends};

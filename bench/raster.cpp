@@ -152,7 +152,7 @@ int main(int argc, char** argv) {
   const bool spheres_only = argc > 2 && std::strcmp(argv[2], "sphere") == 0;
   const RasterGrid grid = rough_grid(bench::side);
   Model model = slope_model(RasterSurface(grid), rocks);
-  const auto& surface = std::get<RasterSurface>(model.surface);
+  const auto& surface = std::get<RasterSurface>(*model.surface);
   fmt::print("rough slope: {} x {} nodes, {:.1f} bytes per cell\n", grid.columns, grid.rows,
              static_cast<double>(surface.bytes()) / static_cast<double>(surface.cell_count()));
 
@@ -182,7 +182,7 @@ int main(int argc, char** argv) {
 
   const RasterGrid wavy = grid_of(bench::side, bench::waves);
   const Model running = slope_model(RasterSurface(wavy), rocks / 4);
-  const auto& waves = std::get<RasterSurface>(running.surface);
+  const auto& waves = std::get<RasterSurface>(*running.surface);
   const double bare_running = bare_run(wavy, waves, rocks / 4);
   const Speed run = talus_run(running, "on waves", 1);
   fmt::print("  {:.2f} of the bare loop; {:.0f} cells per rock\n", run.rocks_per_second / bare_running,

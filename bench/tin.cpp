@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
   bench::print_reasons(ends);
 
   // Where the time goes: the queries of the same flights alone.
-  const auto& tin = std::get<TriangleMesh>(model.surface);
+  const auto& tin = std::get<TriangleMesh>(*model.surface);
   const double radius = sphere ? sphere_of_mass(1000, 2700).radius : 0;
   const auto flights = flights_of(model, std::min<std::uint64_t>(rocks, 5000));
   double tested = 0, met = 0, highest = 0;

@@ -37,7 +37,7 @@ class Describer {
   [[nodiscard]] Json place(const Vec3& local) const { return as_json(model_.frame.global_from_local(local)); }
 
   [[nodiscard]] Json bounds() const {
-    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *model_.surface);
     return {{"min", place(box.low)}, {"max", place(box.high)}};
   }
 
@@ -147,9 +147,9 @@ class Describer {
   }
 
   [[nodiscard]] std::vector<Vec3> on_ground(const Vec2& from, const Vec2& to) const {
-    if (const auto* mesh = std::get_if<TriangleMesh>(&model_.surface)) return mesh->draped(from, to);
-    if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) return raster->draped(from, to);
-    return on_profile(std::get<Profile>(model_.surface), from.x(), to.x());
+    if (const auto* mesh = std::get_if<TriangleMesh>(&*model_.surface)) return mesh->draped(from, to);
+    if (const auto* raster = std::get_if<RasterSurface>(&*model_.surface)) return raster->draped(from, to);
+    return on_profile(std::get<Profile>(*model_.surface), from.x(), to.x());
   }
 
   static std::vector<Vec3> on_profile(const Profile& profile, double from, double to) {
@@ -182,10 +182,10 @@ Json description_of(const ShelvedModel& shelved) {
   return {{"id", shelved.id},
           {"files", shelved.files},
           {"dimension", shelved.project.is_2d() ? 2 : 3},
-          {"kind", std::visit([](const auto& surface) { return kind_of(surface); }, model.surface)},
+          {"kind", std::visit([](const auto& surface) { return kind_of(surface); }, *model.surface)},
           {"rocks", model.rocks()},
           {"crs", crs_json(model.crs_wkt)},
-          {"facets", std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface)},
+          {"facets", std::visit([](const auto& surface) { return surface.facet_count(); }, *model.surface)},
           {"bounds", describer.bounds()},
           {"terrain_report", model.terrain_report},
           {"seeder_report", model.seeder_report},

@@ -21,12 +21,12 @@ std::size_t bytes_of(const Model& model) {
         else
           return of.bytes();
       },
-      model.surface);
+      *model.surface);
   std::size_t panels = 0;
   for (const Barrier& barrier : model.barriers) panels += barrier.panels().size();
   constexpr std::size_t bytes_of_panel = sizeof(Panel) + 4 * sizeof(PlanBounds);
   return surface + panels * bytes_of_panel + model.barriers.size() * sizeof(Barrier) + model.ground.bytes() +
-         model.parts.of_source.size() * sizeof(std::uint32_t);
+         model.parts.of_source->size() * sizeof(std::uint32_t);
 }
 
 Problems seen_from(const std::filesystem::path& folder, const Problems& problems) {

@@ -117,7 +117,7 @@ Run RunStore::begin(const RunOrder& order) {
   }
   run.project = entry->built->project.name;
   run.name = order.name.empty() ? run.project : order.name;
-  run.dimension = std::holds_alternative<Profile>(entry->built->model.surface) ? 2 : 3;
+  run.dimension = std::holds_alternative<Profile>(*entry->built->model.surface) ? 2 : 3;
   run.rocks = entry->built->model.rocks();
   run.problems = as_json(seen_from(workplace_.folder(), entry->built->warnings));
 

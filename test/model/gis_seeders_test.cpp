@@ -72,7 +72,7 @@ TEST_F(GisSeeders, APolygonSelectsTheCellsWithTheirCentreInside) {
 TEST_F(GisSeeders, RocksStartInTheirCellsOnTheSurface) {
   layer("cliffs.gpkg", "name", {{box(100, 50, 150, 100), ""}});
   const Model built = model(head + "type = \"polygon\"\npolygons = \"cliffs.gpkg\"\nrocks = 250\nheight_above_m = 2\n");
-  const auto& surface = std::get<RasterSurface>(built.surface);
+  const auto& surface = std::get<RasterSurface>(*built.surface);
   std::map<std::pair<int, int>, int> counts;
   Simulator simulator(built);
   for (std::uint64_t rock = 0; rock < 250; ++rock) {
@@ -309,7 +309,7 @@ TEST_F(GisSeeders, LinesAreOnTheTerrainOrHaveHeights) {
     const bool on_a = std::abs(place.y() - south - 50) < 1e-6;
     EXPECT_EQ(record.source, SourceId{on_a ? 0U : 1U});
     on_line_a += on_a ? 1 : 0;
-    EXPECT_NEAR(start.z(), *std::get<RasterSurface>(draped.surface).elevation(start.x(), start.y()), 1e-9);
+    EXPECT_NEAR(start.z(), *std::get<RasterSurface>(*draped.surface).elevation(start.x(), start.y()), 1e-9);
   }
   EXPECT_NEAR(on_line_a, 500, 5 * std::sqrt(2000 * 0.25 * 0.75));  // by length; five standard errors
   layer("cliff.gpkg", "name", {{line(100, 50, 130, 50, "Z", " 300"), "a"}});

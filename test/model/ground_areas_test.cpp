@@ -137,7 +137,7 @@ TEST_F(AreasOfARaster, CellsHaveTheMaterialOfTheAreaAtTheirCentre) {
       fmt::format("[[area]]\nmaterial = \"Scree\"\npolygon = [[{0}, {1}], [{2}, {1}], [{0}, {3}]]\n", west + 21.3,
                   south + 11.7, west + 141.4, south + 131.8);
   const auto expect_materials = [&](const Model& model, auto&& elsewhere) {
-    const auto& grid = std::get<RasterSurface>(model.surface).grid();
+    const auto& grid = std::get<RasterSurface>(*model.surface).grid();
     std::uint32_t cell_number = 0;
     for (std::uint32_t row = 0; row + 1 < grid.rows; ++row) {
       for (std::uint32_t column = 0; column + 1 < grid.columns; ++column, ++cell_number) {

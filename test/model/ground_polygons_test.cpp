@@ -38,7 +38,7 @@ class GroundPolygons : public GisProject {
   GroundPolygons() { make("dem.tif", mountain()); }
   /// The material at the centre of a cell, between four nodes, in metres from the corner of the raster.
   static std::uint32_t material_at(const Model& model, double x, double y) {
-    const auto& surface = std::get<RasterSurface>(model.surface);
+    const auto& surface = std::get<RasterSurface>(*model.surface);
     const Vec2 local = Vec2(west + x, south + y) - Vec2(model.frame.origin.head(2));
     const auto column = static_cast<std::uint32_t>((local.x() - surface.grid().x0) / cell);
     const auto row = static_cast<std::uint32_t>((local.y() - surface.grid().y0) / cell);
@@ -239,7 +239,7 @@ TEST_F(GroundPolygons, TenThousandPolygonsAndHalfAMillionTriangles) {
   const std::vector<TriangleMesh::Corners> both{{0, 1, 2}, {0, 2, 3}};
   const std::vector<TriangleMesh::Corners> beyond(
       2, {TriangleMesh::no_neighbour, TriangleMesh::no_neighbour, TriangleMesh::no_neighbour});
-  terrain.surface.emplace<TriangleMesh>(corners, both, beyond);
+  terrain.surface = TriangleMesh(corners, both, beyond);
   Dice dice(1);
   for (int k = 0; k < 2 * n * n; ++k) {
     terrain.facet_centres.emplace_back(dice.between(0, n), dice.between(0, n));

@@ -52,7 +52,7 @@ mass_kg = 100
   }
   static double elevation(const Model& model, double x, double y) {
     const Vec3 at = model.frame.local_from_global({x, y, 0});
-    return std::get<TriangleMesh>(model.surface).elevation(at.x(), at.y()).value_or(-1e9) + model.frame.origin.z();
+    return std::get<TriangleMesh>(*model.surface).elevation(at.x(), at.y()).value_or(-1e9) + model.frame.origin.z();
   }
 
   Project project_;
@@ -61,7 +61,7 @@ mass_kg = 100
 TEST_F(MeshList, IsJoinedToOneSurface) {
   const Model built = model(text("mesh = [\"upper.obj\", \"lower.obj\"]"));
   EXPECT_EQ(warnings(), "");
-  EXPECT_EQ(std::get<TriangleMesh>(built.surface).facet_count(), 4U);
+  EXPECT_EQ(std::get<TriangleMesh>(*built.surface).facet_count(), 4U);
   EXPECT_NEAR(elevation(built, 5, 5), 7.5, 1e-12);
   EXPECT_NEAR(elevation(built, 15, 5), 2.5, 1e-12);
   EXPECT_THAT(built.terrain_report, HasSubstr("upper.obj: triangles 0 to 1\nlower.obj: triangles 2 to 3\n"));
@@ -79,7 +79,7 @@ TEST_F(MeshList, MayHaveCornersThatAreAlmostEqual) {
 
 TEST_F(MeshList, NumbersItsTrianglesFileAfterFile) {
   const Model built = model(text("mesh = [\"upper.obj\", \"lower.obj\"]", "triangles = [0, 0, 1, 1]"));
-  const auto& mesh = std::get<TriangleMesh>(built.surface);
+  const auto& mesh = std::get<TriangleMesh>(*built.surface);
   for (std::uint32_t k = 0; k < mesh.facet_count(); ++k) {
     const bool is_lower = mesh.outline({k}).edges[1].point.x() + built.frame.origin.x() > 15 ||
                           mesh.outline({k}).edges[2].point.x() + built.frame.origin.x() > 15;
@@ -88,7 +88,7 @@ TEST_F(MeshList, NumbersItsTrianglesFileAfterFile) {
 }
 
 TEST_F(MeshList, OfOneFileIsThatFile) {
-  EXPECT_EQ(std::get<TriangleMesh>(model(text("mesh = [\"upper.obj\"]")).surface).facet_count(), 2U);
+  EXPECT_EQ(std::get<TriangleMesh>(*model(text("mesh = [\"upper.obj\"]")).surface).facet_count(), 2U);
   EXPECT_EQ(echo(project_)["terrain"]["mesh"], "upper.obj");
 }
 
@@ -126,7 +126,7 @@ TEST_F(MeshList, WarnsOfAToleranceWithoutEffect) {
 TEST_F(MeshList, MayHaveItsYUp) {
   write("turned.obj", "v 0 10 0\nv 10 5 0\nv 10 5 -10\nv 0 10 -10\nf 1 2 3\nf 1 3 4\n");
   const Model turned = model(text("mesh = \"turned.obj\"\nup = \"y\"")), straight = model(text("mesh = \"upper.obj\""));
-  const auto &a = std::get<TriangleMesh>(turned.surface), &b = std::get<TriangleMesh>(straight.surface);
+  const auto &a = std::get<TriangleMesh>(*turned.surface), &b = std::get<TriangleMesh>(*straight.surface);
   ASSERT_EQ(a.facet_count(), b.facet_count());
   EXPECT_EQ(turned.frame.origin, straight.frame.origin);
   for (std::uint32_t k = 0; k < a.facet_count(); ++k) {

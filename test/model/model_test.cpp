@@ -250,7 +250,7 @@ mass_kg = 100
 
 TEST(BuildModel, NumbersTheSegmentsOfAnOverhangAsGiven) {
   const Model overhang = model_of(replaced(flat_2d, "[[0, 0], [10, -10], [20, -10]]", "[[0, 0], [10, -10], [0, -10]]"));
-  EXPECT_TRUE(overhang.parts.of_source.empty()) << "in the given order";
+  EXPECT_TRUE(overhang.parts.of_source->empty()) << "in the given order";
 }
 
 TEST(BuildModel, GivesTheSameTrajectoriesFarFromTheOrigin) {

@@ -172,8 +172,8 @@ TEST_F(SurveyProject, TheManualsBowlFromItsPolylines) {
   EXPECT_THAT(merged.terrain_report, HasSubstr("3 facets, 4 vertices, 1 component (0 closed), 3 boundary edges"));
   EXPECT_THAT(merged.terrain_report, HasSubstr("welded: 5 vertices"));
 
-  const auto& first = std::get<TriangleMesh>(published.surface);
-  const auto& second = std::get<TriangleMesh>(merged.surface);
+  const auto& first = std::get<TriangleMesh>(*published.surface);
+  const auto& second = std::get<TriangleMesh>(*merged.surface);
   ASSERT_EQ(second.facet_count(), 3U);
   const auto normals = [](const TriangleMesh& mesh) {
     std::vector<std::array<double, 3>> out;
@@ -289,7 +289,7 @@ TEST_F(SurveyProject, LinesBoundaryAndCoordinateSystemComeFromFiles) {
       seeder);
   EXPECT_EQ(warnings_.text(), "");
   EXPECT_THAT(built.crs_wkt, ::testing::StartsWith("PROJCRS["));
-  const auto& mesh = std::get<TriangleMesh>(built.surface);
+  const auto& mesh = std::get<TriangleMesh>(*built.surface);
   const Vec3& origin = built.frame.origin;
   EXPECT_NEAR(*mesh.elevation(400080 - origin.x(), 300010.5 - origin.y()) + origin.z(), 1475, 1e-6);
   EXPECT_NEAR(mesh.bounds().high.y() + origin.y(), 300060, 1e-6);

@@ -98,7 +98,7 @@ TEST_F(ModelGeometry, HasTheTrianglesOfTheEngine) {
   EXPECT_EQ(positions.size(), 3 * 6U);  // six vertices, shared
 
   const Model ours = built(mesh_text);
-  const auto& mesh = std::get<TriangleMesh>(ours.surface);
+  const auto& mesh = std::get<TriangleMesh>(*ours.surface);
   ASSERT_EQ(triangles.size(), 3 * mesh.facet_count());
   ASSERT_EQ(materials.size(), mesh.facet_count());
   for (std::uint32_t k = 0; k < mesh.facet_count(); ++k) {

@@ -43,7 +43,7 @@ TEST_F(ModelMeshTiles, AreTheTrianglesOfTheEngineAtTheFinestLevel) {
   const Json tiles = get(at(model, "tiles")).json();
   ASSERT_EQ(tiles["levels"].size(), 4U);
   const Model ours = built(text);
-  const auto& mesh = std::get<TriangleMesh>(ours.surface);
+  const auto& mesh = std::get<TriangleMesh>(*ours.surface);
   std::set<std::uint32_t> seen;
   const Json& finest = tiles["levels"][0];
   for (int row = 0; row < finest["rows"]; ++row) {
@@ -71,7 +71,7 @@ TEST_F(ModelMeshTiles, AreCloseToTheTerrainAtCoarseLevels) {
   const Json model = model_of(text);
   const Json tiles = get(at(model, "tiles")).json();
   const Model ours = built(text);
-  const auto& mesh = std::get<TriangleMesh>(ours.surface);
+  const auto& mesh = std::get<TriangleMesh>(*ours.surface);
   const Json& coarsest = tiles["levels"].back();
   EXPECT_EQ(coarsest["columns"], 1);
   EXPECT_EQ(coarsest["rows"], 1);

@@ -54,7 +54,7 @@ TEST_F(ModelOnRaster, HasTiles) {
   const Json model = model_of(text);
   EXPECT_EQ(model["kind"], "raster");
   const Model ours = built(text);
-  const auto& surface = std::get<RasterSurface>(ours.surface);
+  const auto& surface = std::get<RasterSurface>(*ours.surface);
   const RasterGrid& grid = surface.grid();
   const Json tiles = get(at(model, "tiles")).json();
   EXPECT_EQ(tiles["columns"], columns);
@@ -150,7 +150,7 @@ TEST_F(ModelOnRaster, LeavesHolesOutOfTrianglesAndSections) {
 
   const Json section = post(at(model, "section"), {{"line", {{5005, 9027}, {5075, 9027}}}}).json();
   const Model ours = built(text);
-  const auto& raster = std::get<RasterSurface>(ours.surface);
+  const auto& raster = std::get<RasterSurface>(*ours.surface);
   int holes = 0;
   for (std::size_t k = 0; k < section["x_m"].size(); ++k) {
     const double x = section["x_m"][k];

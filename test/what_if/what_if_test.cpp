@@ -124,10 +124,10 @@ TEST(WhatIf, StartsEachRockInTheSameWay) {
   const auto models = varied_models(asked.project, asked.model, variations, "");
   ASSERT_EQ(models.size(), variations.size() + 1);
   for (std::uint64_t rock = 0; rock < 40; ++rock) {
-    Simulator base(models[0], asked.model.surface);
+    Simulator base(models[0], *asked.model.surface);
     const RockRecord own = base.simulate(rock, false);
     for (std::size_t k = 0; k < variations.size(); ++k) {
-      Simulator varied(models[k + 1], asked.model.surface);
+      Simulator varied(models[k + 1], *asked.model.surface);
       const RockRecord record = varied.simulate(rock, false);
       EXPECT_EQ(record.outcome.start.position, own.outcome.start.position);
       EXPECT_EQ(record.outcome.start.velocity, own.outcome.start.velocity);

@@ -23,7 +23,7 @@ class HeightAboveGround {
     // A rock on the ground may be slightly below it by rounding.
     constexpr double slack = 1e-3;
     const auto ground = std::visit([&](const auto& surface) { return surface.elevation(p.x(), p.y(), p.z() + slack); },
-                                   model_->surface);
+                                   *model_->surface);
     return ground ? static_cast<float>(std::max(0.0, p.z() - *ground)) : unknown;
   }
 

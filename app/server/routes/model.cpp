@@ -85,16 +85,16 @@ class SharedVertices {
 };
 
 Answer mesh_answer(const Model& model) {
-  SharedVertices vertices(std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface));
+  SharedVertices vertices(std::visit([](const auto& surface) { return surface.facet_count(); }, *model.surface));
   const auto add = [&](const auto& surface, FacetId facet) {
     const std::uint32_t source = surface.source(facet);
     vertices.add(surface.triangle(facet), model.parts.of(source), model.ground.material_of(source));
   };
-  if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) {
+  if (const auto* mesh = std::get_if<TriangleMesh>(&*model.surface)) {
     for (std::uint32_t k = 0; k < mesh->facet_count(); ++k) add(*mesh, {k});
     return vertices.answer(model);
   }
-  const auto* raster = std::get_if<RasterSurface>(&model.surface);
+  const auto* raster = std::get_if<RasterSurface>(&*model.surface);
   if (raster == nullptr) throw Refusal(404, "mesh", "this model is a section", "", "Request its profile");
   if (raster->cell_count() > most_cells) {
     throw Refusal(404, "mesh", fmt::format("the raster has {} cells", raster->cell_count()),
@@ -122,7 +122,7 @@ void add_model_routes(Router& router, const Workplace& workplace, ModelShelf& sh
   });
   router.get("/api/models/([0-9a-f]+)/profile", [&](const Call& call) {
     const ModelShelf::Held held = shelf.find(call.part(1));
-    const auto* profile = std::get_if<Profile>(&held->model.surface);
+    const auto* profile = std::get_if<Profile>(&*held->model.surface);
     if (profile == nullptr) throw Refusal(404, "profile", "this model is not a section", "", "Request its mesh");
     return json_answer(profile_json(held->model, *profile));
   });

@@ -28,7 +28,7 @@ std::vector<Vec2> plan_points(const Call& call, const char* key, const LocalFram
 Json elevations_json(const Model& model, const std::vector<Vec2>& points) {
   Json list = Json::array();
   for (const Vec2& p : points) {
-    const auto z = std::visit([&](const auto& surface) { return surface.elevation(p.x(), p.y()); }, model.surface);
+    const auto z = std::visit([&](const auto& surface) { return surface.elevation(p.x(), p.y()); }, *model.surface);
     list.push_back(z ? Json(*z + model.frame.origin.z()) : Json());
   }
   return {{"z", std::move(list)}};
@@ -66,8 +66,8 @@ Json section_json(const Model& model, const Surface& surface, const std::vector<
 }
 
 Json section_json(const Model& model, const std::vector<Vec2>& line) {
-  if (const auto* mesh = std::get_if<TriangleMesh>(&model.surface)) return section_json(model, *mesh, line);
-  if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) return section_json(model, *raster, line);
+  if (const auto* mesh = std::get_if<TriangleMesh>(&*model.surface)) return section_json(model, *mesh, line);
+  if (const auto* raster = std::get_if<RasterSurface>(&*model.surface)) return section_json(model, *raster, line);
   throw Refusal(404, "section", "this model is itself a section", "", "Request its profile");
 }
 

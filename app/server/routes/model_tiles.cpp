@@ -46,7 +46,7 @@ void add_model_tile_routes(Router& router, const ModelShelf& shelf) {
   const auto meshes = std::make_shared<MeshTileShelf>();
   router.get("/api/models/([0-9a-f]+)/tiles", [&shelf, meshes](const Call& call) {
     const ModelShelf::Held held = shelf.find(call.part(1));
-    const auto& surface = held->model.surface;
+    const auto& surface = *held->model.surface;
     if (const auto* raster = std::get_if<RasterSurface>(&surface))
       return json_answer(TerrainTiles(held->model, *raster).description());
     if (const auto* mesh = std::get_if<TriangleMesh>(&surface))
@@ -58,7 +58,7 @@ void add_model_tile_routes(Router& router, const ModelShelf& shelf) {
              [&shelf, meshes](const Call& call) {
                const ModelShelf::Held held = shelf.find(call.part(1));
                const auto number = [&](std::size_t k) { return static_cast<std::uint32_t>(std::stoul(call.part(k))); };
-               const auto& surface = held->model.surface;
+               const auto& surface = *held->model.surface;
                if (const auto* raster = std::get_if<RasterSurface>(&surface))
                  return TerrainTiles(held->model, *raster).tile(number(2), number(3), number(4));
                if (const auto* mesh = std::get_if<TriangleMesh>(&surface))

@@ -20,7 +20,7 @@ Json observed_places(const ObservedStops& observed, const Model& model) {
   for (const ObservedStop& stop : observed.stops) {
     const Vec3 local = model.frame.local_from_global({stop.x_m, stop.y_m, 0});
     const auto z =
-        std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, model.surface);
+        std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, *model.surface);
     places.push_back({stop.x_m, stop.y_m, z ? Json(*z + model.frame.origin.z()) : Json(), stop.name,
                       stop.mass_kg ? Json(*stop.mass_kg) : Json()});
   }

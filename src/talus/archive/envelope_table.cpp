@@ -16,7 +16,7 @@ std::vector<ColumnText> EnvelopeRow::family_texts() {
   return texts;
 }
 
-std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection, bool has_heights) {
+EnvelopeTable envelopes_of(const MapsOfRun& maps, const MapSelection& selection, bool has_heights) {
   MapSelection shown = selection;
   if (!has_heights) {
     shown.subjects = without(MapQuantity::bounce_height, shown.subjects);
@@ -25,12 +25,10 @@ std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection,
   const std::vector<MapGroup> groups = map_groups(shown);
   std::vector<MapKind> kinds;
   for (const MapGroup& group : groups) kinds.insert(kinds.end(), group.kinds.begin(), group.kinds.end());
-  std::vector<std::string> names;
-  for (const MapKind& kind : kinds) names.push_back(kind.name);
-  std::string text = header_of<EnvelopeRow>(names);
-
+  EnvelopeTable table;
+  for (const MapKind& kind : kinds) table.names.push_back(kind.name);
   const auto extent = maps.all.extent();
-  if (!extent) return text;
+  if (!extent) return table;
   FamilyValues untouched;
   for (const MapKind& kind : kinds) untouched.push_back(kind.is_count ? std::optional(0.0) : std::nullopt);
   const auto place_of = [&](std::int32_t column) { return static_cast<std::size_t>(column - extent->first.column); };
@@ -51,13 +49,18 @@ std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection,
       }
     }
   }
-  EnvelopeRow row;
   const MapGrid& grid = maps.all.grid();
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    row.x_m = grid.origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * grid.cell().x();
-    row.values = std::move(cells[k]);
-    append_row(text, row);
+    table.rows.push_back({grid.origin().x() + (extent->first.column + static_cast<double>(k) + 0.5) * grid.cell().x(),
+                          std::move(cells[k])});
   }
+  return table;
+}
+
+std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection, bool has_heights) {
+  const EnvelopeTable table = envelopes_of(maps, selection, has_heights);
+  std::string text = header_of<EnvelopeRow>(table.names);
+  for (const EnvelopeRow& row : table.rows) append_row(text, row);
   return text;
 }
 

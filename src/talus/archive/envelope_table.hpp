@@ -26,9 +26,16 @@ struct EnvelopeRow {
   [[nodiscard]] static std::vector<ColumnText> family_texts();
 };
 
+struct EnvelopeTable {
+  std::vector<std::string> names;  // of the values
+  std::vector<EnvelopeRow> rows;
+};
+
 /// A row for each cell from the first to the last that rocks touched. A cell that no rock touched has counts of 0, and
 /// its other values are empty. Without `has_heights` there are no bounce heights. Expects maps of a section, in one
 /// row.
+[[nodiscard]] EnvelopeTable envelopes_of(const MapsOfRun& maps, const MapSelection& selection, bool has_heights);
+/// The same as text.
 [[nodiscard]] std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection, bool has_heights);
 
 /// Writes the table into a run's folder; throws BadInput if that fails.

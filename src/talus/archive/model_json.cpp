@@ -77,7 +77,7 @@ std::vector<std::array<double, 3>> foot_of(const Model& model, const Barrier& ba
     const Vec3 p = model.frame.global_from_local(local);
     foot.push_back({p.x(), p.y(), p.z()});
   };
-  if (std::holds_alternative<Profile>(model.surface)) {
+  if (std::holds_alternative<Profile>(*model.surface)) {
     if (!barrier.panels().empty()) add(barrier.panels().front().foot.cwiseProduct(Vec3(1, 0, 1)));
     return foot;
   }
@@ -129,7 +129,7 @@ BarrierPlace place_of(const Model& model, const Barrier& barrier) {
   BarrierPlace place{.name = barrier.name,
                      .kind = barrier.is_collector ? "collector" : "barrier",
                      .line_xyz = foot_of(model, barrier)};
-  if (!std::holds_alternative<Profile>(model.surface)) place.stations_m = stations_of(barrier);
+  if (!std::holds_alternative<Profile>(*model.surface)) place.stations_m = stations_of(barrier);
   return place;
 }
 
@@ -142,7 +142,7 @@ Json origin_json(const LocalFrame& frame) {
 }  // namespace
 
 TerrainSummary terrain_summary(const Model& model) {
-  return std::visit([&](const auto& surface) { return terrain_of(model, surface); }, model.surface);
+  return std::visit([&](const auto& surface) { return terrain_of(model, surface); }, *model.surface);
 }
 
 Json model_json(const Model& model) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <numbers>
 
+#include "talus/archive/rows_of_rock.hpp"
 #include "talus/results/summary.hpp"
 #include "talus/rocks/energy.hpp"
 
@@ -46,52 +47,6 @@ class RowsText {
   CsvMemory memory_;
 };
 
-/// What most tables need: a row for what every log has.
-struct RowsOfAnyRun {
-  static bool are_wanted(const TableRocks&) { return true; }
-  static bool need_path(const TableRocks&, std::uint64_t) { return false; }
-  static bool need_impacts(const TableRocks&, std::uint64_t) { return false; }
-};
-
-/// The rows of one rock in a table: `add`s them, and says whether the rock's log must have its path or its impacts for
-/// that, and whether a run has the table at all.
-template <class Row>
-struct RowsOfRock;
-
-template <>
-struct RowsOfRock<EndpointRow> : RowsOfAnyRun {
-  static void add(RowsText<EndpointRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog&) {
-    if (rocks.has_endpoint(record.rock)) text.add(record);
-  }
-};
-
-template <>
-struct RowsOfRock<PathEventRow> : RowsOfAnyRun {
-  static bool need_path(const TableRocks& rocks, std::uint64_t rock) { return rocks.has_path(rock); }
-  static void add(RowsText<PathEventRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog& log) {
-    if (!rocks.has_path(record.rock)) return;
-    for (std::size_t k = 0; k < log.rows.size(); ++k) text.add(record, k, log.rows[k]);
-  }
-};
-
-template <>
-struct RowsOfRock<ImpactRow> : RowsOfAnyRun {
-  static bool are_wanted(const TableRocks& rocks) { return rocks.impacts() > 0; }
-  static bool need_impacts(const TableRocks& rocks, std::uint64_t rock) { return rocks.has_impacts(rock); }
-  static void add(RowsText<ImpactRow>& text, const TableRocks& rocks, const RockRecord& record, const RockLog& log) {
-    if (!rocks.has_impacts(record.rock)) return;
-    std::uint64_t number = 0;
-    for (const Impact& impact : log.impacts) text.add(record, ++number, impact);
-  }
-};
-
-template <>
-struct RowsOfRock<HitRow> : RowsOfAnyRun {
-  static void add(RowsText<HitRow>& text, const TableRocks&, const RockRecord& record, const RockLog& log) {
-    for (const BarrierHit& hit : log.hits) text.add(record, hit);
-  }
-};
-
 template <class Row>
 class TableObserver : public Observer {
  public:
@@ -109,7 +64,9 @@ class TableObserver : public Observer {
  private:
   struct Part : ObserverPart {
     Part(const TableContext& context, const TableRocks& r) : rocks(r), text(context) {}
-    void see(const RockRecord& record, const RockLog& log) override { RowsOfRock<Row>::add(text, rocks, record, log); }
+    void see(const RockRecord& record, const RockLog& log) override {
+      RowsOfRock<Row>::visit(rocks, record, log, [&](const auto&... seen) { text.add(seen...); });
+    }
     const TableRocks& rocks;
     RowsText<Row> text;
   };

@@ -226,13 +226,13 @@ bool is_text_table(const std::filesystem::path& file) {
 std::optional<double> elevation_at(const study::PreparedSite& site, const Vec2& place) {
   const Vec3 local = site.model().frame.local_from_global({place.x(), place.y(), 0});
   const auto z =
-      std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, site.model().surface);
+      std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, *site.model().surface);
   if (!z) return std::nullopt;
   return *z + site.model().frame.origin.z();
 }
 
 std::string extent_of(const study::PreparedSite& site) {
-  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, site.model().surface);
+  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *site.model().surface);
   const Vec3 low = site.model().frame.global_from_local(box.low);
   const Vec3 high = site.model().frame.global_from_local(box.high);
   if (site.project().is_2d()) {

@@ -48,7 +48,7 @@ bool overlap(const ObservedZone& one, const ObservedZone& other) {
 }
 
 bool reaches_terrain(const ObservedZone& zone, const study::PreparedSite& site) {
-  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, site.model().surface);
+  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *site.model().surface);
   const Vec2 low = site.model().frame.global_from_local(box.low).head<2>();
   const Vec2 high = site.model().frame.global_from_local(box.high).head<2>();
   if (zone.polygons.empty()) return zone.from < high.x() && zone.to > low.x();

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "talus/core/shared.hpp"
 #include "talus/results/ensemble.hpp"
 #include "talus/results/runout_frame.hpp"
 #include "talus/seeding/seeder.hpp"
@@ -29,15 +30,17 @@ struct VaryingSection {
 /// mesh before cleaning, the cells of a raster.
 struct TerrainParts {
   std::size_t count = 0;
-  std::vector<std::uint32_t> of_source;  // by the surface's source(); empty: the same numbers
+  Shared<std::vector<std::uint32_t>> of_source;  // by the surface's source(); empty: the same numbers
 
-  [[nodiscard]] std::uint32_t of(std::uint32_t source) const { return of_source.empty() ? source : of_source[source]; }
+  [[nodiscard]] std::uint32_t of(std::uint32_t source) const {
+    return of_source->empty() ? source : (*of_source)[source];
+  }
 };
 
 using ModelSurface = std::variant<Profile, TriangleMesh, RasterSurface>;
 
 struct Model {
-  ModelSurface surface;
+  Shared<ModelSurface> surface;           // copies of a model refer to the same
   std::optional<VaryingSection> varying;  // only with a Profile
   LocalFrame frame;
   TerrainParts parts;

@@ -25,7 +25,7 @@ ReleaseSurvey survey_releases(const Model& model, std::uint64_t most) {
           found.highest = rock;
         }
       },
-      model.surface);
+      *model.surface);
   return found;
 }
 

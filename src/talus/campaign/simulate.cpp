@@ -128,7 +128,7 @@ Vec3 start_of(const Model& whole, std::uint64_t rock) {
   RockRecord record;
   return std::visit(
       [&](const auto& surface) { return release_of(model, surface, draws, seeder, record).motion.position; },
-      whole.surface);
+      *whole.surface);
 }
 
 /// The rocks in progress, for the model's kind of surface.
@@ -161,7 +161,7 @@ class Simulator::Rocks {
       in_progress_;
 };
 
-Simulator::Simulator(const Model& model) : Simulator(model, model.surface) {}
+Simulator::Simulator(const Model& model) : Simulator(model, *model.surface) {}
 Simulator::Simulator(const Model& model, const ModelSurface& surface)
     : rocks_(std::make_unique<Rocks>(model, surface)) {}
 Simulator::~Simulator() = default;

@@ -135,14 +135,25 @@ namespace {
 
 thread_local std::optional<std::string> failure;
 
+bool is_shared_with_others = false;
+
+/// Whether it is not Talus that uses GDAL in this thread.
+bool is_of_others() { return reach == nullptr && is_shared_with_others; }
+
 bool refused(int error) {
   errno = error;
   return false;
 }
 
-bool may_read(const char* name) { return (reach != nullptr && reach->may_read(name)) || refused(ENOENT); }
-bool may_list(const char* name) { return (reach != nullptr && reach->may_list(name)) || refused(ENOENT); }
-bool may_write(const char* name) { return (reach != nullptr && reach->may_write(name)) || refused(EACCES); }
+bool may_read(const char* name) {
+  return is_of_others() || (reach != nullptr && reach->may_read(name)) || refused(ENOENT);
+}
+bool may_list(const char* name) {
+  return is_of_others() || (reach != nullptr && reach->may_list(name)) || refused(ENOENT);
+}
+bool may_write(const char* name) {
+  return is_of_others() || (reach != nullptr && reach->may_write(name)) || refused(EACCES);
+}
 
 /// The file system of the disk, restricted to the files in reach.
 class GuardedDisk final : public VSIFilesystemHandler {
@@ -179,25 +190,34 @@ class GuardedDisk final : public VSIFilesystemHandler {
   std::unique_ptr<VSIFilesystemHandler> disk_;
 };
 
-/// Replaces a file system of GDAL that may not be used.
+/// Replaces a file system of GDAL that may not be used, but by others (may be null).
 class NoFiles final : public VSIFilesystemHandler {
  public:
+  explicit NoFiles(VSIFilesystemHandler* of_others) : of_others_(of_others) {}
+
   using VSIFilesystemHandler::Open;
-  VSIVirtualHandle* Open(const char*, const char*, bool, CSLConstList) override {
-    errno = ENOENT;
-    return nullptr;
+  VSIVirtualHandle* Open(const char* name, const char* how, bool says_errors, CSLConstList options) override {
+    return is_open() ? of_others_->Open(name, how, says_errors, options) : nullptr;
   }
-  int Stat(const char*, VSIStatBufL*, int) override {
-    errno = ENOENT;
-    return -1;
+  int Stat(const char* name, VSIStatBufL* found, int flags) override {
+    return is_open() ? of_others_->Stat(name, found, flags) : -1;
   }
+  int Unlink(const char* name) override { return is_open() ? of_others_->Unlink(name) : -1; }
+  char** ReadDirEx(const char* name, int most) override {
+    return is_open() ? of_others_->ReadDirEx(name, most) : nullptr;
+  }
+
+ private:
+  [[nodiscard]] bool is_open() const { return (of_others_ != nullptr && is_of_others()) || refused(ENOENT); }
+  VSIFilesystemHandler* of_others_;
 };
 
 }  // namespace
 
 std::optional<std::string> failure_of_disk() { return std::exchange(failure, std::nullopt); }
 
-void guard_gdal_files() {
+void guard_gdal_files(bool is_shared) {
+  is_shared_with_others = is_shared;
   // GDAL drops replaced handlers without freeing them; they are kept here, and never freed.
   static std::vector<VSIFilesystemHandler*> replaced;
   const CPLStringList known(VSIFileManager::GetPrefixes());
@@ -206,7 +226,7 @@ void guard_gdal_files() {
   for (const std::string& prefix : prefixes) {
     if (prefix == in_memory || std::ranges::find(archives, prefix) != archives.end()) continue;
     replaced.push_back(VSIFileManager::GetHandler(prefix.c_str()));
-    VSIFileManager::InstallHandler(prefix, new NoFiles);
+    VSIFileManager::InstallHandler(prefix, new NoFiles(replaced.back()));
   }
   VSIFileManager::InstallHandler("", new GuardedDisk(VSIFileManager::GetHandler("")));
 }

@@ -69,7 +69,8 @@ class GdalReach {
 [[nodiscard]] std::optional<std::string> failure_of_disk();
 
 /// Restricts GDAL's file systems: the disk as above; /vsimem/, /vsizip/ and /vsigzip/ (whose archives are on disk)
-/// work; all others - networks, standard input, parts of files - open nothing. To be called once per program.
-void guard_gdal_files();
+/// work; all others - networks, standard input, parts of files - open nothing. To be called once per program. If GDAL
+/// `is_shared` with other code of the process, threads without a GdalReach are that code's, and not restricted.
+void guard_gdal_files(bool is_shared);
 
 }  // namespace talus

@@ -48,12 +48,14 @@ int make_stoppable(sqlite3* database, const char**, const sqlite3_api_routines*)
   return SQLITE_OK;
 }
 
+bool is_shared = false;
+
 void begin() {
   // For every database that GDAL opens from now on, before its first query.
   sqlite3_auto_extension(reinterpret_cast<void (*)()>(&make_stoppable));
-  CPLHTTPSetFetchCallback(&no_network, nullptr);
+  if (!is_shared) CPLHTTPSetFetchCallback(&no_network, nullptr);
   OSRSetPROJEnableNetwork(FALSE);
-  guard_gdal_files();
+  guard_gdal_files(is_shared);
   // A GeoPackage is a database and may contain views and virtual tables: these may use only SQLite's own harmless
   // functions, and no modules that read other files.
   CPLSetConfigOption("SPATIALITE_LOAD", "NO");
@@ -101,6 +103,8 @@ std::string names_of_formats(GdalKind kind) {
   }
   return names;
 }
+
+void share_gdal() { is_shared = true; }
 
 void start_gdal() {
   static const bool is_begun = (begin(), true);

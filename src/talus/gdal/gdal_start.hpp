@@ -26,4 +26,9 @@ struct GdalFormat {
 /// network.
 void start_gdal();
 
+/// GDAL is shared with other code of this process, as in an interpreter of Python: its files and networks stay open to
+/// that code. Drivers that it registers are not used by Talus, which names the formats it reads. To be called before
+/// start_gdal().
+void share_gdal();
+
 }  // namespace talus

@@ -153,7 +153,7 @@ std::optional<ContourLine> contour_through(const Model& model, const Vec2& place
         for (Vec2& p : line) p += model.frame.origin.head<2>();
         return ContourLine{z + model.frame.origin.z(), std::move(line)};
       },
-      model.surface);
+      *model.surface);
 }
 
 }  // namespace talus

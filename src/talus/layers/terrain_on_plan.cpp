@@ -8,7 +8,7 @@
 namespace talus {
 
 TerrainOnPlan terrain_on_plan(const Model& model) {
-  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model.surface);
+  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *model.surface);
   const Vec2 origin = model.frame.origin.head<2>();
   return {{box.low.head<2>() + origin, box.high.head<2>() + origin}, model.crs_wkt};
 }
@@ -24,7 +24,7 @@ std::vector<std::vector<Vec3>> on_terrain(const Model& model, const std::vector<
   const auto add = [&](const Vec2& place) {
     const Vec2 local = place - model.frame.origin.head<2>();
     const auto z =
-        std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, model.surface);
+        std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, *model.surface);
     if (z && !is_on_ground) parts.emplace_back();
     is_on_ground = z.has_value();
     if (z) parts.back().emplace_back(place.x(), place.y(), *z + model.frame.origin.z());
@@ -43,11 +43,11 @@ std::vector<std::vector<Vec3>> on_terrain(const Model& model, const std::vector<
 
 double spacing_on_terrain(const Model& model, double length, std::size_t most) {
   double cell = 0;
-  if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) {
+  if (const auto* raster = std::get_if<RasterSurface>(&*model.surface)) {
     cell = std::min(raster->grid().dx, raster->grid().dy);
   } else {
     const Vec2 size = terrain_on_plan(model).area.size();
-    const auto facets = std::visit([](const auto& surface) { return surface.facet_count(); }, model.surface);
+    const auto facets = std::visit([](const auto& surface) { return surface.facet_count(); }, *model.surface);
     cell = std::sqrt(size.x() * size.y() / static_cast<double>(std::max<std::size_t>(1, facets)));
   }
   return std::max({cell, length / static_cast<double>(most), 1e-3});

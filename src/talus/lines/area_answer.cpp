@@ -65,7 +65,7 @@ AskedArea drawn_area(const Model& model, std::span<const PlanPlace> corners, std
     throw BadInput(
         Problem{.where = std::string(where), .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
   };
-  if (std::holds_alternative<Profile>(model.surface))
+  if (std::holds_alternative<Profile>(*model.surface))
     refuse("is a polygon on plan", "this run is a section (2D)", "Ask for a line: a place on the section");
   Problems problems;
   check_places(corners, where, problems);
@@ -101,7 +101,7 @@ AskedArea drawn_area(const Model& model, std::span<const PlanPlace> corners, std
         on_plan.grow(Vec2(box.high.template head<2>()));
         return on_plan;
       },
-      model.surface);
+      *model.surface);
   if (off == ring.size() && !terrain.meet(bounds)) {
     refuse("does not touch the terrain", "rocks are only known there",
            is_on_ground_swapped(model, corners) ? project::swapped_hint : "Give it in the coordinates of the project");
@@ -150,7 +150,7 @@ std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area,
       translational = std::max(translational, most.energy_translational);
       total = std::max(total, most.energy_total);
       height = std::visit([&](const auto& surface) { return max_height(surface, piece, is_sphere, from, to, height); },
-                          model.surface);
+                          *model.surface);
     }
   }
   const Motion& end = path.record.outcome.end;

@@ -21,7 +21,7 @@ Json outline_json(const Model& model, const AskedArea& area) {
   Json json = Json::array();
   for (const Vec2& corner : area.ring) {
     const auto z =
-        std::visit([&](const auto& surface) { return surface.elevation(corner.x(), corner.y()); }, model.surface);
+        std::visit([&](const auto& surface) { return surface.elevation(corner.x(), corner.y()); }, *model.surface);
     const Vec3 place = model.frame.global_from_local({corner.x(), corner.y(), z.value_or(0)});
     json.push_back({place.x(), place.y(), z ? Json(place.z()) : Json()});
   }

@@ -40,7 +40,7 @@ void check_places(std::span<const PlanPlace> places, std::string_view where, Pro
 }
 
 bool is_on_ground_swapped(const Model& model, std::span<const PlanPlace> places) {
-  if (std::holds_alternative<Profile>(model.surface)) return false;
+  if (std::holds_alternative<Profile>(*model.surface)) return false;
   const Vec2 origin(model.frame.origin.x(), model.frame.origin.y());
   return std::ranges::any_of(
       places, [&](const PlanPlace& p) { return project::has_ground_at(model, Vec2(p[1], p[0]) - origin); });
@@ -48,7 +48,7 @@ bool is_on_ground_swapped(const Model& model, std::span<const PlanPlace> places)
 
 AskedLine drawn_line(const Model& model, std::span<const PlanPlace> line, double height, std::string_view where,
                      Problems& warnings) {
-  const bool in_section = std::holds_alternative<Profile>(model.surface);
+  const bool in_section = std::holds_alternative<Profile>(*model.surface);
   const std::size_t fewest = in_section ? 1 : 2;
   Problems problems;
   if (line.size() < fewest) {

@@ -83,7 +83,7 @@ Ditch ditch_between(const Model& model, double toe, double far_edge, std::string
     return Problem{
         .where = std::string(where), .what = std::move(what), .why = std::move(why), .hint = std::move(hint)};
   };
-  if (!std::holds_alternative<Profile>(model.surface))
+  if (!std::holds_alternative<Profile>(*model.surface))
     throw BadInput(problem("is a stretch of a section", "this run is 3D", "Ask for a line or a polygon"));
   const PlanPlace places[]{{toe, 0}, {far_edge, 0}};
   Problems problems;
@@ -124,7 +124,7 @@ DitchAnswer ask_ditch(const Model& model, const RockPaths& paths, const Ditch& d
   }
   // At the foot of a vertical face, that of the ground past it.
   const double past = std::copysign(1e-6, ditch.far_edge - ditch.toe);
-  const auto toe = std::get<Profile>(model.surface).elevation(ditch.toe + past);
+  const auto toe = std::get<Profile>(*model.surface).elevation(ditch.toe + past);
   if (highest && toe && highest->z() > *toe) {
     const double height = highest->z() - *toe;
     answer.slope = SlopeAbove{height, std::atan2(height, -ditch.distance(highest->x()))};

@@ -42,7 +42,7 @@ std::vector<std::size_t> rocks_near(const RockPaths& paths, std::span<const Aske
 
 DesignPlan plan_of_line(const project::DesignBasis& basis, const Model& model, const AskedLine& line,
                         std::uint32_t number) {
-  const bool in_section = std::holds_alternative<Profile>(model.surface);
+  const bool in_section = std::holds_alternative<Profile>(*model.surface);
   DesignPlan plan = project::design_check(basis);
   plan.lines = {project::line_along(line.barrier, number, basis.design.section_m, in_section)};
   return plan;

@@ -120,7 +120,7 @@ std::vector<PlanPlace> places_given(std::string_view given, PlanShape shape, con
   // A text with a comma or a blank, or a number, is coordinates unless there is a file of that name.
   const bool is_text = given.find_first_of(", \t;") != std::string_view::npos || number_in_cell(given, false);
   if (is_text && !fs::exists(file, ignored))
-    return places_in_text(given, std::holds_alternative<Profile>(model.surface), where);
+    return places_in_text(given, std::holds_alternative<Profile>(*model.surface), where);
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".csv" || ending == ".txt" || ending == ".tsv") return places_in_table(file);

@@ -55,7 +55,7 @@ class Spots {
   }
   [[nodiscard]] Vec3 on_ground(Vec3 place) const {
     const auto z =
-        std::visit([&](const auto& surface) { return surface.elevation(place.x(), place.y()); }, model_.surface);
+        std::visit([&](const auto& surface) { return surface.elevation(place.x(), place.y()); }, *model_.surface);
     if (z) place.z() = *z;
     return place;
   }

@@ -5,20 +5,20 @@
 namespace talus::project {
 
 bool has_ground_at(const Model& model, const Vec2& at) {
-  return std::visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); }, model.surface);
+  return std::visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); }, *model.surface);
 }
 
 BarrierFoot foot_of(const Model& model, std::span<const std::array<double, 2>> line) {
   BarrierFoot foot;
-  if (const auto* profile = std::get_if<Profile>(&model.surface)) {
+  if (const auto* profile = std::get_if<Profile>(&*model.surface)) {
     const double x = line.front()[0] - model.frame.origin.x();
     if (const auto z = profile->elevation(x)) foot.points = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
     return foot;
   }
   const Vec2 origin(model.frame.origin.x(), model.frame.origin.y());
   const auto drape = [&](const Vec2& from, const Vec2& to) {
-    if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) return raster->draped(from, to);
-    return std::get<TriangleMesh>(model.surface).draped(from, to);
+    if (const auto* raster = std::get_if<RasterSurface>(&*model.surface)) return raster->draped(from, to);
+    return std::get<TriangleMesh>(*model.surface).draped(from, to);
   };
   for (std::size_t k = 0; k + 1 < line.size(); ++k) {
     const Vec2 from = Vec2(line[k][0], line[k][1]) - origin;

@@ -30,7 +30,7 @@ Problem about_ground(const Project& project, std::string what, std::string why, 
 /// surface; `centre` is in the user's coordinates.
 template <class Take>
 void for_each_part(const BuiltTerrain& terrain, Take&& take) {
-  if (const auto* raster = std::get_if<RasterSurface>(&terrain.surface)) {
+  if (const auto* raster = std::get_if<RasterSurface>(&*terrain.surface)) {
     const RasterGrid& grid = raster->grid();
     const double x = grid.x0 + terrain.frame.origin.x(), y = grid.y0 + terrain.frame.origin.y();
     std::size_t number = 0;
@@ -66,9 +66,9 @@ class Classifier {
 
   std::vector<std::uint8_t> materials(const BuiltTerrain& terrain, Problems& problems, Problems& warnings) {
     const std::string file = project_.ground.raster.string();
-    const char* parts = std::holds_alternative<RasterSurface>(terrain.surface) ? "cells" : "triangles";
+    const char* parts = std::holds_alternative<RasterSurface>(*terrain.surface) ? "cells" : "triangles";
     if (raster_.points_within() == 0) {
-      const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, terrain.surface);
+      const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *terrain.surface);
       const Vec3 low = terrain.frame.global_from_local(box.low), high = terrain.frame.global_from_local(box.high);
       problems.add(about_ground(project_, fmt::format("raster \"{}\" does not reach the terrain", file),
                                 fmt::format("the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
@@ -173,10 +173,10 @@ std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terra
     problems.add(std::move(problem));
     return {};
   }
-  if (terrain.part_of_facet.empty()) return of_part;
+  if (terrain.part_of_facet->empty()) return of_part;
   std::vector<MaterialId> of_facet;
-  of_facet.reserve(terrain.part_of_facet.size());
-  for (const std::uint32_t part : terrain.part_of_facet) of_facet.push_back(of_part[part]);
+  of_facet.reserve(terrain.part_of_facet->size());
+  for (const std::uint32_t part : *terrain.part_of_facet) of_facet.push_back(of_part[part]);
   return of_facet;
 }
 

@@ -65,7 +65,7 @@ class SeederBuilder {
   }
   [[nodiscard]] bool is_on_terrain(const Vec2& at) const {
     return std::visit([&](const auto& surface) { return surface.elevation(at.x(), at.y()).has_value(); },
-                      model_.surface);
+                      *model_.surface);
   }
 
   bool report(const Seeder& s, std::string what, std::string why, std::string hint) {
@@ -209,12 +209,12 @@ class SeederBuilder {
   bool check_line(const Seeder& s, const std::vector<Vec3>& line, bool is_on_ground, const std::string& which) {
     bool good = true;
     for (const Vec3& p : line) good = check_on_terrain(s, p, which) && good;
-    if (!good || !is_on_ground || std::holds_alternative<Profile>(model_.surface)) return good;
+    if (!good || !is_on_ground || std::holds_alternative<Profile>(*model_.surface)) return good;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       const Vec2 from = line[k].head(2), to = line[k + 1].head(2);
       std::vector<Vec3> ground;
-      if (const auto* mesh = std::get_if<TriangleMesh>(&model_.surface)) ground = mesh->draped(from, to);
-      if (const auto* raster = std::get_if<RasterSurface>(&model_.surface)) ground = raster->draped(from, to);
+      if (const auto* mesh = std::get_if<TriangleMesh>(&*model_.surface)) ground = mesh->draped(from, to);
+      if (const auto* raster = std::get_if<RasterSurface>(&*model_.surface)) ground = raster->draped(from, to);
       // There is a point wherever the ground bends, so between two points there is either ground throughout or none.
       for (std::size_t i = 0; i + 1 < ground.size(); ++i) {
         const Vec3 between = 0.5 * (ground[i] + ground[i + 1]);
@@ -232,7 +232,7 @@ class SeederBuilder {
   bool check_on_terrain(const Seeder& s, const Vec3& at, const std::string& which = "") {
     if (is_on_terrain(at.head(2))) return check_on_varied_section(s, at.x(), which);
     if (++off_terrain_ > most_reported) return false;
-    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model_.surface);
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *model_.surface);
     const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
     const Vec3 p = model_.frame.global_from_local(at);
     const bool is_within =

@@ -157,8 +157,9 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
             {.source = raw.source, .weld_tolerance_m = is_merged ? project.terrain.merge_tolerance_m : 0});
   if (!project.terrain.meshes.empty()) warn_of_overhangs(mesh, project, warnings);
   built.report = raw.report + (raw.report.empty() ? "" : "\n") + mesh.report.text();
-  for (const std::uint32_t original : mesh.original)
-    built.part_of_facet.push_back(is_extruded ? original / 2 : original);
+  std::vector<std::uint32_t> part_of_facet;
+  for (const std::uint32_t original : mesh.original) part_of_facet.push_back(is_extruded ? original / 2 : original);
+  built.part_of_facet = std::move(part_of_facet);
 
   if (!project.ground.raster.empty() || !project.ground.polygons.empty() || !project.areas.empty()) {
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -183,7 +184,7 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
     for (std::size_t k = 0; k < 3; ++k) beyond[k] = sides[k] ? (*sides[k]).index : TriangleMesh::no_neighbour;
     neighbours.push_back(beyond);
   }
-  built.surface.emplace<TriangleMesh>(local, mesh.triangles, neighbours);
+  built.surface = TriangleMesh(local, mesh.triangles, neighbours);
   return built;
 }
 
@@ -205,7 +206,7 @@ BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
       LocalFrame::near({grid.x0 + 0.5 * grid.dx * (grid.columns - 1), grid.y0 + 0.5 * grid.dy * (grid.rows - 1), 0});
   grid.x0 -= built.frame.origin.x();
   grid.y0 -= built.frame.origin.y();
-  built.surface.emplace<RasterSurface>(std::move(grid));
+  built.surface = RasterSurface(std::move(grid));
   return built;
 }
 

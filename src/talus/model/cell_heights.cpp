@@ -12,7 +12,7 @@ struct Squares {
 };
 
 Squares squares(const Model& model, double cell) {
-  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, model.surface);
+  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *model.surface);
   const Vec3 low = model.frame.global_from_local(box.low), high = model.frame.global_from_local(box.high);
   const double column = std::floor(low.x() / cell), row = std::floor(low.y() / cell);
   return {column, row, std::ceil(high.x() / cell) - column, std::ceil(high.y() / cell) - row};
@@ -21,7 +21,7 @@ Squares squares(const Model& model, double cell) {
 }  // namespace
 
 double CellHeights::count(const Model& model, double cell) {
-  if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) {
+  if (const auto* raster = std::get_if<RasterSurface>(&*model.surface)) {
     return static_cast<double>(raster->grid().z.size());
   }
   const Squares all = squares(model, cell);
@@ -30,7 +30,7 @@ double CellHeights::count(const Model& model, double cell) {
 
 CellHeights::CellHeights(const Model& model, double cell) : model_(model) {
   const Vec2 origin = model.frame.origin.head(2);
-  if (const auto* raster = std::get_if<RasterSurface>(&model.surface)) {
+  if (const auto* raster = std::get_if<RasterSurface>(&*model.surface)) {
     raster_ = &raster->grid();
     grid_ = {Vec2(raster_->x0, raster_->y0) + origin, raster_->dx, raster_->dy, raster_->columns, raster_->rows};
   } else {
@@ -51,7 +51,7 @@ double CellHeights::at(std::uint32_t column, std::uint32_t row) {
   double& z = kept.z[column];
   if (z == unknown) {
     const double x = grid_.x(column) - model_.frame.origin.x(), y = grid_.y(row) - model_.frame.origin.y();
-    const auto found = std::visit([&](const auto& surface) { return surface.elevation(x, y); }, model_.surface);
+    const auto found = std::visit([&](const auto& surface) { return surface.elevation(x, y); }, *model_.surface);
     z = found.value_or(std::numeric_limits<double>::quiet_NaN());
   }
   return z;

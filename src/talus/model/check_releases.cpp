@@ -100,7 +100,7 @@ void warn_of_buried_releases(const Model& model, Problems& warnings) {
 }
 
 void warn_of_rocks_larger_than_cells(const Model& model, Problems& warnings) {
-  const auto* raster = std::get_if<RasterSurface>(&model.surface);
+  const auto* raster = std::get_if<RasterSurface>(&*model.surface);
   if (raster == nullptr) return;
   const double cell = std::min(raster->grid().dx, raster->grid().dy);
   ReleaseSurvey survey = survey_releases(model, sample);

@@ -89,7 +89,7 @@ class Chooser {
     warnings_.add(std::move(problem));
   }
   [[nodiscard]] std::string extent_of_terrain() const {
-    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, context_.model.surface);
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *context_.model.surface);
     const Vec3 low = context_.model.frame.global_from_local(box.low),
                high = context_.model.frame.global_from_local(box.high);
     return fmt::format("x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}", low.x(), high.x(), low.y(), high.y());

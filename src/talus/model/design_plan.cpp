@@ -161,7 +161,7 @@ DesignPlan design_check(const DesignBasis& basis) {
 DesignPlan design_plan(const Project& project, const Model& model) {
   const Design& design = *project.design;
   DesignPlan plan = design_check(design_basis(project));
-  const bool in_section = std::holds_alternative<Profile>(model.surface);
+  const bool in_section = std::holds_alternative<Profile>(*model.surface);
   const auto number_of = [&](const std::string& name) {
     const auto found = std::ranges::find(model.barriers, name, &talus::Barrier::name);
     return static_cast<std::uint32_t>(found - model.barriers.begin());

@@ -144,7 +144,7 @@ std::size_t sources_of(const Model& model) {
         }
         return sources;
       },
-      model.surface);
+      *model.surface);
 }
 
 }  // namespace
@@ -155,8 +155,8 @@ std::string fingerprint_of(const nlohmann::ordered_json& project, const Model& m
   out.put(paths_revision);
   out.text(without_presentation(project).dump());
   put(out, model.frame.origin);
-  out.count(model.surface.index());
-  std::visit([&](const auto& surface) { put(out, surface); }, model.surface);
+  out.count(model.surface->index());
+  std::visit([&](const auto& surface) { put(out, surface); }, *model.surface);
   put(out, model.ground, sources_of(model));
   for (const talus::Material& material : model.ground.materials()) put(out, material);
   out.count(model.seeders.size());

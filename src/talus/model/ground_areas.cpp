@@ -15,7 +15,7 @@ Problem without_effect(const Project& project, const Area& area, const BuiltTerr
                   .line = area.line,
                   .where = fmt::format("area \"{}\"", area.name),
                   .what = "has no effect"};
-  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, terrain.surface);
+  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *terrain.surface);
   const Vec3 low = terrain.frame.global_from_local(box.low), high = terrain.frame.global_from_local(box.high);
   const bool is_beyond =
       (polygon.low().array() > high.head(2).array()).any() || (polygon.high().array() < low.head(2).array()).any();

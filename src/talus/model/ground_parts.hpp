@@ -15,7 +15,7 @@ namespace talus::project {
 class GroundParts {
  public:
   explicit GroundParts(const BuiltTerrain& terrain) : terrain_(terrain) {
-    if (const auto* raster = std::get_if<RasterSurface>(&terrain.surface)) {
+    if (const auto* raster = std::get_if<RasterSurface>(&*terrain.surface)) {
       raster_ = raster;
       const RasterGrid& grid = raster->grid();
       const Vec2 first(grid.x0 + 0.5 * grid.dx, grid.y0 + 0.5 * grid.dy);

@@ -134,7 +134,7 @@ class Assignment {
 
   void assign() {
     of_part_.assign(parts_.count(), nothing);
-    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, terrain_.surface);
+    const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *terrain_.surface);
     const Vec2 south_west = terrain_.frame.global_from_local(box.low).head(2);
     const Vec2 north_east = terrain_.frame.global_from_local(box.high).head(2);
     Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;

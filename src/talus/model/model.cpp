@@ -82,13 +82,15 @@ Laws laws_of(const Project& project) {
   return laws;
 }
 
-TerrainParts parts_as_given(const Project& project, BuiltTerrain& terrain) {
-  TerrainParts parts{terrain.parts, std::move(terrain.part_of_facet)};
+TerrainParts parts_as_given(const Project& project, const BuiltTerrain& terrain) {
+  TerrainParts parts{terrain.parts, terrain.part_of_facet};
   if (!project.terrain.section_runs_leftwards()) return parts;
-  if (parts.of_source.empty()) {
-    for (std::uint32_t k = 0; k < parts.count; ++k) parts.of_source.push_back(k);
+  std::vector<std::uint32_t> of_source = *terrain.part_of_facet;
+  if (of_source.empty()) {
+    for (std::uint32_t k = 0; k < parts.count; ++k) of_source.push_back(k);
   }
-  for (std::uint32_t& part : parts.of_source) part = static_cast<std::uint32_t>(parts.count) - 1 - part;
+  for (std::uint32_t& part : of_source) part = static_cast<std::uint32_t>(parts.count) - 1 - part;
+  parts.of_source = std::move(of_source);
   return parts;
 }
 
@@ -111,23 +113,20 @@ class Builder {
 
   template <class F>
   auto visit(F&& f) const {
-    return std::visit(std::forward<F>(f), model_.surface);
+    return std::visit(std::forward<F>(f), *model_.surface);
   }
 
-  Model build() {
-    BuiltTerrain terrain =
-        locating_problems(project_, "[terrain]", problems_, warnings_,
-                          [&](Problems&, Problems& warnings) { return build_terrain(project_, warnings); });
+  Model build(const BuiltTerrain& terrain) {
     model_.ground =
         locating_problems(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
           return build_ground(project_, materials_of(project_), terrain, problems, warnings);
         });
     model_.parts = parts_as_given(project_, terrain);
-    model_.surface = std::move(terrain.surface);
-    model_.varying = std::move(terrain.varying);
+    model_.surface = terrain.surface;
+    model_.varying = terrain.varying;
     model_.frame = terrain.frame;
-    model_.crs_wkt = std::move(terrain.crs_wkt);
-    model_.terrain_report = std::move(terrain.report);
+    model_.crs_wkt = terrain.crs_wkt;
+    model_.terrain_report = terrain.report;
     model_.laws = laws_of(project_);
     model_.seed = project_.sampling.seed;
     model_.sampling = project_.sampling.method;
@@ -177,7 +176,7 @@ class Builder {
 
   /// Whether a corner of the line lies on the terrain with x and y swapped.
   [[nodiscard]] bool is_on_ground_swapped(const Barrier& b) const {
-    if (std::holds_alternative<Profile>(model_.surface)) return false;
+    if (std::holds_alternative<Profile>(*model_.surface)) return false;
     const Vec2 origin(model_.frame.origin.x(), model_.frame.origin.y());
     return std::ranges::any_of(b.line, [&](const auto& p) { return has_ground_at(model_, Vec2(p[1], p[0]) - origin); });
   }
@@ -208,6 +207,18 @@ class Builder {
   Model model_;
 };
 
+Model place_on_terrain(const Project& project, const BuiltTerrain& terrain, Problems& warnings) {
+  Model model = Builder(project, warnings).build(terrain);
+  if (!project.sampling.parameters.empty()) {
+    Problems problems;
+    locating_problems(project, "[sampling]", problems, warnings, [&](Problems&, Problems& doubts) {
+      add_ensembles(project, model, doubts);
+      return true;
+    });
+  }
+  return model;
+}
+
 }  // namespace
 
 void set_properties(const Project& project, Model& model) {
@@ -221,17 +232,19 @@ void set_properties(const Project& project, Model& model) {
   for (std::size_t k = 0; k < model.barriers.size(); ++k) model.barriers[k].capacity = capacity_of(project.barriers[k]);
 }
 
+BuiltTerrain read_terrain(const Project& project, Problems& warnings) {
+  Problems problems;
+  return locating_problems(project, "[terrain]", problems, warnings,
+                           [&](Problems&, Problems& doubts) { return build_terrain(project, doubts); });
+}
+
 Model build_model(const Project& project, Problems& warnings) {
   const Project with = read_samples(project, warnings);
-  Model model = Builder(with, warnings).build();
-  if (!with.sampling.parameters.empty()) {
-    Problems problems;
-    locating_problems(with, "[sampling]", problems, warnings, [&](Problems&, Problems& doubts) {
-      add_ensembles(with, model, doubts);
-      return true;
-    });
-  }
-  return model;
+  return place_on_terrain(with, read_terrain(with, warnings), warnings);
+}
+
+Model build_model(const Project& project, const BuiltTerrain& terrain, Problems& warnings) {
+  return place_on_terrain(read_samples(project, warnings), terrain, warnings);
 }
 
 }  // namespace talus::project

@@ -119,6 +119,23 @@ std::string Prior::text() const {
   return text + fmt::format(", within {:.4g} to {:.4g}", value(0), value(1));
 }
 
+bool needs_no_terrain(std::string_view path) {
+  const auto parts = parts_of(path);
+  if (!parts || parts->size() < 2) return false;
+  if (parts->front() == "output") return !(*parts)[1].starts_with("runout_");  // the others are not of the model
+  if (std::ranges::find(tables_of_numbers, parts->front()) == tables_of_numbers.end()) return false;
+  const Table& owner = project::table(parts->front());
+  const std::size_t at = owner.repeated ? 2 : 1;
+  if (parts->size() <= at) return false;
+  const Setting* setting = owner.find((*parts)[at]);
+  if (setting == nullptr || std::ranges::find(fixed_settings, fmt::format("{}.{}", owner.key, setting->key)) != fixed_settings.end())
+    return false;
+  if (owner.key == "material") return setting->key != "name";
+  if (owner.key == "analysis") return true;
+  Project blank;  // of seeders and barriers: sizes, velocities and capacities
+  return place_of(setting->slot(owner.add(blank))).is_number;
+}
+
 std::optional<SettingNumber> SettingNumber::find(const Project& project, std::string_view path, const Problem& about,
                                                  Problems& problems) {
   const auto refuse = [&](std::string what, std::string why, std::string hint = {}) {

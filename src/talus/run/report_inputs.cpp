@@ -57,13 +57,16 @@ std::string logo_of(const Project& project) {
 
 }  // namespace
 
-ReportInputs report_inputs(const Project& project) {
-  ReportInputs inputs{.files = input_files(project), .logo = logo_of(project)};
+std::vector<MaterialSource> material_sources(const Project& project) {
+  std::vector<MaterialSource> sources;
   for (SourceOfValues& each : sources_of_values(project)) {
-    inputs.material_sources.push_back(
-        {std::move(each.material), std::move(each.like), std::move(each.keys), std::move(each.source)});
+    sources.push_back({std::move(each.material), std::move(each.like), std::move(each.keys), std::move(each.source)});
   }
-  return inputs;
+  return sources;
+}
+
+ReportInputs report_inputs(const Project& project) {
+  return {.files = input_files(project), .material_sources = material_sources(project), .logo = logo_of(project)};
 }
 
 }  // namespace talus::project

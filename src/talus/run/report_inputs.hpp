@@ -8,5 +8,7 @@ namespace talus::project {
 
 /// Reads every input file of the project. Throws BadInput if the logo can no longer be read.
 [[nodiscard]] ReportInputs report_inputs(const Project& project);
+/// Those of its materials alone, without a file.
+[[nodiscard]] std::vector<MaterialSource> material_sources(const Project& project);
 
 }  // namespace talus::project

@@ -117,7 +117,7 @@ MapSelection map_selection(const Project& project, const Model& model) {
 
 std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model) {
   if (project.output.maps.none()) return nullptr;
-  const bool is_section = std::holds_alternative<Profile>(model.surface);
+  const bool is_section = std::holds_alternative<Profile>(*model.surface);
   return std::visit(
       [&](const auto& surface) {
         const MapGrid grid = map_grid(project, model.frame, surface);
@@ -128,29 +128,22 @@ std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& m
                                              contents_of(selection), ensembles_with_maps(selection, model),
                                              contents_of_ensembles(selection));
       },
-      model.surface);
+      *model.surface);
 }
 
-RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {
+RunDescription plan_of(const Project& project, const Model& model) {
   RunDescription description;
   description.name = project.name;
-  description.project = echo(project);
-  description.fingerprint = fingerprint_of(description.project, model);
-  description.paths_revision = paths_revision;
-  description.sample = sample_of(model);
   description.rocks = model.rocks();
   description.barriers = model.barriers.size();
-  description.model = model_json(model);
-  for (const Problem& problem : warnings.list())
-    description.warnings.push_back(with_relative_paths(problem.text(), project));
   description.crs_wkt = model.crs_wkt;
   description.sources = model.sources;
-  const bool is_section = std::holds_alternative<Profile>(model.surface);
+  const bool is_section = std::holds_alternative<Profile>(*model.surface);
   description.wants_maps = project.output.maps.any() && !is_section;
   description.wants_envelopes = project.output.maps.any() && is_section;
   if (project.output.maps.any()) {
     const MapGrid grid =
-        std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, model.surface);
+        std::visit([&](const auto& surface) { return map_grid(project, model.frame, surface); }, *model.surface);
     const bool by_source = project.output.maps_by_source && !is_section;
     const MapSelection selection = map_selection(project, model);
     description.maps = {grid.origin(), grid.cell(), by_source, ensembles_with_maps(selection, model), selection};
@@ -162,6 +155,22 @@ RunDescription describe(const Project& project, const Model& model, const Proble
     constexpr std::uint64_t megabyte = 1'000'000;
     description.store_bytes = megabytes ? static_cast<std::uint64_t>(*megabytes) * megabyte : StoreObserver::no_limit;
   }
+  return description;
+}
+
+void identify(RunDescription& description, const Project& project, const Model& model, const Problems& warnings) {
+  description.project = echo(project);
+  description.fingerprint = fingerprint_of(description.project, model);
+  description.paths_revision = paths_revision;
+  description.sample = sample_of(model);
+  description.model = model_json(model);
+  for (const Problem& problem : warnings.list())
+    description.warnings.push_back(with_relative_paths(problem.text(), project));
+}
+
+RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {
+  RunDescription description = plan_of(project, model);
+  identify(description, project, model, warnings);
   return description;
 }
 
@@ -235,6 +244,27 @@ void write_derived(const std::filesystem::path& folder, const RunDescription& de
 
 }  // namespace
 
+Findings findings_of(const RunDescription& description, const RunSums& sums, const RunCourse& course) {
+  Findings found;
+  warn_of_rocks(sums.summary(), found.warnings);
+  warn_of_collectors(description, sums.summary(), found.warnings);
+  if (course.interrupted && !course.shard && course.missing.empty()) {
+    warn_of_sources(description, sums.summary().done, found.warnings);
+  }
+  if (sums.design() != nullptr) {
+    found.design = evaluate(sums.design()->plan(), sums.design()->tally());
+    if (!course.shard) warn_of_design(sums.design()->plan(), *found.design, found.warnings);
+  }
+  return found;
+}
+
+void write_summary(TextSink& out, const RunDescription& description, const Problems& found,
+                   const std::optional<DesignResult>& design, const RunSums& sums, const RunCourse& course) {
+  std::vector<std::string> warnings = description.warnings;
+  for (const Problem& problem : found.list()) warnings.push_back(problem.text());
+  talus::write_summary(out, description, warnings, sums.summary(), course, design ? &*design : nullptr);
+}
+
 WrittenResults write_results(const std::filesystem::path& folder, const RunDescription& description, RunSums& sums,
                              RunCourse course) {
   Problems found;
@@ -244,22 +274,12 @@ WrittenResults write_results(const std::filesystem::path& folder, const RunDescr
     write_all_maps(folder / "maps", description, sums.maps(), course.threads);
     write_section_envelopes(folder, description, sums.maps());
   }
-  warn_of_rocks(sums.summary(), found);
-  warn_of_collectors(description, sums.summary(), found);
-  if (course.interrupted && !course.shard && course.missing.empty()) {
-    warn_of_sources(description, sums.summary().done, found);
-  }
-  std::optional<DesignResult> design;
-  if (sums.design() != nullptr) {
-    design = evaluate(sums.design()->plan(), sums.design()->tally());
-    if (!course.shard) warn_of_design(sums.design()->plan(), *design, found);
-  }
-  std::vector<std::string> warnings = description.warnings;
-  for (const Problem& problem : found.list()) warnings.push_back(problem.text());
+  const Findings findings = findings_of(description, sums, course);
+  found.append(findings.warnings);
   OutputFile summary(folder / "summary.json");
-  write_summary(summary, description, warnings, sums.summary(), course, design ? &*design : nullptr);
+  write_summary(summary, description, found, findings.design, sums, course);
   summary.sync();
-  if (!course.shard) write_derived(folder, description, design, OutputFile::part_of("summary.json"));
+  if (!course.shard) write_derived(folder, description, findings.design, OutputFile::part_of("summary.json"));
   const std::vector<std::string> written = written_files(folder, description, course.shard);
   remove_recorded_files_but(folder, written);
   write_file_record(folder, written);

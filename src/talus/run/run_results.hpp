@@ -13,7 +13,9 @@
 #include "talus/archive/table_rocks.hpp"
 #include "talus/campaign/model.hpp"
 #include "talus/core/problems.hpp"
+#include "talus/files/text_sink.hpp"
 #include "talus/project/project.hpp"
+#include "talus/results/design_result.hpp"
 #include "talus/results/design_tally.hpp"
 #include "talus/results/map_observer.hpp"
 #include "talus/results/summary.hpp"
@@ -27,7 +29,12 @@ namespace talus::project {
 /// The observer that makes maps of the model's rocks; null if the project has none. Refers to the model.
 [[nodiscard]] std::unique_ptr<MapObserver> map_observer(const Project& project, const Model& model);
 
-/// `warnings`: those known before the run.
+/// What a run counts and writes: its description without what identifies its inputs.
+[[nodiscard]] RunDescription plan_of(const Project& project, const Model& model);
+/// Adds that: the project, fingerprints and the model, which takes time on a large terrain. `warnings`: those known
+/// before the run.
+void identify(RunDescription& description, const Project& project, const Model& model, const Problems& warnings);
+/// Both.
 [[nodiscard]] RunDescription describe(const Project& project, const Model& model, const Problems& warnings);
 
 /// As describe(), without maps that this program cannot write; but a shard keeps its maps, which are written when it is
@@ -63,6 +70,17 @@ class RunSums {
   std::unique_ptr<MapObserver> maps_;
   std::unique_ptr<StoreObserver> store_;
 };
+
+/// What the sums of a run say: warnings about its rocks, and the design of barriers if there is a plan for it.
+struct Findings {
+  Problems warnings;
+  std::optional<DesignResult> design;
+};
+[[nodiscard]] Findings findings_of(const RunDescription& description, const RunSums& sums, const RunCourse& course);
+
+/// Writes summary.json with these warnings after those of the description.
+void write_summary(TextSink& out, const RunDescription& description, const Problems& found,
+                   const std::optional<DesignResult>& design, const RunSums& sums, const RunCourse& course);
 
 /// What writing the results of a run came to.
 struct WrittenResults {

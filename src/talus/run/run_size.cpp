@@ -67,7 +67,7 @@ class Sized {
 class SizedMaps {
  public:
   SizedMaps(const Project& project, const Model& model) {
-    const bool is_section = std::holds_alternative<Profile>(model.surface);
+    const bool is_section = std::holds_alternative<Profile>(*model.surface);
     if (!is_section && !can_write_maps()) return;
     maps_ = map_observer(project, model);
     if (!maps_) return;
@@ -82,7 +82,7 @@ class SizedMaps {
           const Vec2 size = (bounds.high - bounds.low).head(2);
           most_cells_ = ((size.array() / maps_->maps().grid().cell().array()).ceil() + 1).prod();
         },
-        model.surface);
+        *model.surface);
   }
   [[nodiscard]] bool are_made() const { return maps_ != nullptr; }
   void see(const RockRecord& record, const RockLog& log) {

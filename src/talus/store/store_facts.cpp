@@ -31,7 +31,7 @@ std::vector<std::string> read_names(ByteReader& in) {
 
 StoreFacts StoreFacts::of(const Model& model) {
   StoreFacts facts;
-  facts.is_section = std::holds_alternative<Profile>(model.surface);
+  facts.is_section = std::holds_alternative<Profile>(*model.surface);
   facts.is_sphere = model.laws.model == RockModel::rigid_sphere;
   facts.origin = model.frame.origin + Vec3::Zero();  // without negative zeros
   facts.gravity = model.laws.gravity;
@@ -42,7 +42,7 @@ StoreFacts StoreFacts::of(const Model& model) {
   for (const Seeder& seeder : model.seeders) facts.seeders.push_back(seeder.name);
   facts.sources = model.sources;
   for (const Material& material : model.ground.materials()) facts.materials.push_back(material.name);
-  const Box bounds = std::visit([](const auto& surface) { return surface.bounds(); }, model.surface);
+  const Box bounds = std::visit([](const auto& surface) { return surface.bounds(); }, *model.surface);
   facts.grid = StoreGrid::over({bounds.low.head(2), bounds.high.head(2)}, facts.is_section);
   return facts;
 }

@@ -25,7 +25,7 @@ class PreparedSite::Worker {
                                 const SetRuns& how, std::uint64_t seed) {
     project::set_properties(site_.with(parameters, set), model_);
     model_.seed = seed;
-    Simulator simulator(model_, site_.model_.surface);
+    Simulator simulator(model_, *site_.model_.surface);
     const std::uint64_t rocks = std::min(how.rocks.value_or(model_.rocks()), model_.rocks());
     SetOutcome outcome;
     outcome.ends.reserve(rocks);

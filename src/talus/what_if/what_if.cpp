@@ -221,7 +221,7 @@ bool WhatIf::run(const RunOptions& options) {
       const std::size_t block = task / sets, set = task % sets;
       Worker& worker = workers.local();
       auto& simulator = worker.simulators[set];
-      if (!simulator) simulator = std::make_unique<Simulator>(parts.models[set], parts.model.surface);
+      if (!simulator) simulator = std::make_unique<Simulator>(parts.models[set], *parts.model.surface);
       const std::uint64_t first = parts.done + block * rocks_in_task;
       std::uint64_t place = first;
       SimulationOrder order;

@@ -1,0 +1,101 @@
+// One rock's trajectory, at any times.
+
+#include <algorithm>
+
+#include "arrays.hpp"
+#include "away.hpp"
+#include "bindings.hpp"
+#include "prepared_model.hpp"
+#include "talus/campaign/simulate.hpp"
+#include "vectors.hpp"
+
+namespace talus::python {
+
+namespace {
+
+struct Trajectory {
+  std::vector<PathPiece> pieces;  // local, in their order
+  LocalFrame frame;
+  PackedRows events;
+  RockRecord record;
+  std::string seeder;
+
+  [[nodiscard]] double duration() const { return record.outcome.end.time; }
+  /// Its motion at a time [s], limited to its duration; in the project's coordinates.
+  [[nodiscard]] Motion at(double time) const {
+    if (pieces.empty() || time >= duration()) return in_project(record.outcome.end);
+    time = std::max(time, 0.0);
+    const auto next = std::upper_bound(pieces.begin(), pieces.end(), time,
+                                       [](double t, const PathPiece& piece) { return t < piece.start_time; });
+    const PathPiece& piece = next == pieces.begin() ? *next : *std::prev(next);
+    const double s = std::clamp(piece.drag.parameter(time - piece.start_time), 0.0, piece.duration);
+    return in_project({piece.path.at(s), piece.velocity(s), piece.spin_at(s), time});
+  }
+
+ private:
+  [[nodiscard]] Motion in_project(Motion motion) const {
+    motion.position = frame.global_from_local(motion.position);
+    return motion;
+  }
+};
+
+std::shared_ptr<Trajectory> follow(const PreparedModel& prepared, std::uint64_t rock) {
+  const Site& site = *prepared.site();
+  const talus::Model& model = site.model;
+  if (rock >= model.rocks()) {
+    throw BadInput(Problem{.file = site.project.file.string(),
+                           .where = "rock",
+                           .what = "there is no rock " + std::to_string(rock),
+                           .why = "the project has rocks 0 to " + std::to_string(model.rocks() - 1)});
+  }
+  auto path = std::make_shared<Trajectory>();
+  do_away_or_throw([&](const std::atomic<bool>&) {
+    Simulator simulator(model);
+    path->record = simulator.simulate(rock, true, true);
+    simulator.log().for_each_piece([&](const PathPiece& piece) { path->pieces.push_back(piece); });
+    path->frame = model.frame;
+    const TableContext context = TableContext::of(model);
+    path->seeder = context.seeders[path->record.seeder.index];
+    path->events.layout = layout_of<PathEventRow>([](std::string_view) { return 1; });
+    PathEventRow row;
+    const std::vector<PathRow>& rows = simulator.log().rows;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      fill(row, context, path->record, k, rows[k]);
+      pack(row, path->events.layout, path->events.bytes);
+    }
+  });
+  return path;
+}
+
+py::tuple motion_at(const Trajectory& path, const Numbers& time) {
+  const py::ssize_t count = time.ndim() > 0 ? time.shape(0) : 0;
+  const NumbersIn times(time, count);
+  VectorsOut positions(count), velocities(count), spins(count);
+  {
+    const py::gil_scoped_release released;
+    for (py::ssize_t k = 0; k < count; ++k) {
+      const Motion motion = path.at(times[k]);
+      positions.set(k, motion.position);
+      velocities.set(k, motion.velocity);
+      spins.set(k, motion.spin);
+    }
+  }
+  return py::make_tuple(positions.array(), velocities.array(), spins.array());
+}
+
+}  // namespace
+
+void bind_follow(py::module_& module) {
+  py::class_<Trajectory, std::shared_ptr<Trajectory>>(module, "Trajectory")
+      .def("at", &motion_at, py::arg("time"))
+      .def("events", [](const std::shared_ptr<Trajectory>& self) { return array_of(self->events, py::cast(self)); })
+      .def_property_readonly("rock", [](const Trajectory& self) { return self.record.rock; })
+      .def_readonly("seeder", &Trajectory::seeder)
+      .def_property_readonly("duration", &Trajectory::duration)
+      .def_property_readonly("mass", [](const Trajectory& self) { return self.record.body.mass; })
+      .def_property_readonly("radius", [](const Trajectory& self) { return self.record.body.radius; })
+      .def_property_readonly("end_reason", [](const Trajectory& self) { return name(self.record.outcome.reason); });
+  module.def("follow", &follow, py::arg("model"), py::arg("rock"));
+}
+
+}  // namespace talus::python

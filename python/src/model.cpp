@@ -1,0 +1,67 @@
+#include <pybind11/functional.h>
+#include <pybind11/stl.h>
+
+#include "away.hpp"
+#include "bindings.hpp"
+#include "memory_run.hpp"
+#include "prepared_model.hpp"
+#include "problems.hpp"
+
+namespace talus::python {
+
+namespace {
+
+using Model = std::shared_ptr<PreparedModel>;
+
+Model prepare(std::shared_ptr<GivenProject> given) {
+  Model model;
+  do_away_or_throw([&](const std::atomic<bool>&) { model = std::make_shared<PreparedModel>(std::move(given)); });
+  return model;
+}
+
+/// Returns the run, and the exception that stopped it or None.
+py::tuple run(const PreparedModel& model, std::vector<std::string> settings, std::optional<std::int64_t> rocks,
+              std::optional<std::uint64_t> seed, int threads, const std::optional<py::function>& progress) {
+  const project::Overrides overrides{std::move(settings), rocks, seed};
+  std::shared_ptr<MemoryRun> run;
+  std::atomic<std::uint64_t> done{0}, planned{0};
+  const auto work = [&](const std::atomic<bool>& stop) {
+    auto begun = std::make_shared<MemoryRun>(model.site_with(overrides));
+    planned = begun->site().model.rocks();
+    begun->simulate(threads, stop, done);
+    run = std::move(begun);
+  };
+  std::uint64_t told = 0;
+  const auto tell = [&] {
+    if (!progress || planned == 0 || done == told) return;
+    told = done;
+    (*progress)(told, planned.load());
+  };
+  const std::exception_ptr interruption = do_away(work, tell);
+  if (interruption && !run) std::rethrow_exception(interruption);
+  if (!interruption) {
+    tell();
+    return py::make_tuple(run, py::none());
+  }
+  try {
+    std::rethrow_exception(interruption);
+  } catch (py::error_already_set& error) {
+    return py::make_tuple(run, error.value());
+  }
+}
+
+}  // namespace
+
+void bind_model(py::module_& module) {
+  py::class_<PreparedModel, Model>(module, "Model")
+      .def(py::init(&prepare), py::arg("project"))
+      .def("run", &run, py::arg("settings"), py::arg("rocks"), py::arg("seed"), py::arg("threads"), py::arg("progress"))
+      .def_property_readonly("warnings", [](const PreparedModel& self) { return as_python(self.site()->warnings); })
+      .def_property_readonly("rocks", [](const PreparedModel& self) { return self.site()->model.rocks(); })
+      .def_property_readonly("crs_wkt", [](const PreparedModel& self) { return self.site()->model.crs_wkt; })
+      .def_property_readonly("reports", [](const PreparedModel& self) {
+        return py::make_tuple(self.site()->model.terrain_report, self.site()->model.seeder_report);
+      });
+}
+
+}  // namespace talus::python

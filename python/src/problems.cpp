@@ -1,0 +1,45 @@
+#include "problems.hpp"
+
+#include "bindings.hpp"
+#include "talus/core/memory_reserve.hpp"
+#include "talus/core/stop.hpp"
+#include "talus/core/utf8.hpp"
+
+namespace talus::python {
+
+namespace {
+
+py::object text(const std::string& given) { return given.empty() ? py::object(py::none()) : py::str(as_utf8(given)); }
+
+void translate(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const BadInput& bad) {
+    const py::object type = py::module_::import("talus.problems").attr("BadInput");
+    PyErr_SetObject(type.ptr(), type(as_python(bad.problems())).ptr());
+  } catch (const OutOfMemory& error) {
+    PyErr_SetString(PyExc_MemoryError, error.what());
+  } catch (const Stopped&) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+  }
+}
+
+}  // namespace
+
+py::list as_python(const Problems& problems) {
+  const py::object make = py::module_::import("talus.problems").attr("Problem");
+  py::list list;
+  for (const Problem& problem : problems.list()) {
+    list.append(make(py::arg("severity") = problem.severity == Severity::error ? "error" : "warning",
+                     py::arg("file") = text(problem.file),
+                     py::arg("line") = problem.line > 0 ? py::object(py::int_(problem.line)) : py::none(),
+                     py::arg("where") = text(problem.where), py::arg("what") = text(problem.what),
+                     py::arg("why") = text(problem.why), py::arg("hint") = text(problem.hint),
+                     py::arg("path") = text(problem.path), py::arg("text") = py::str(as_utf8(problem.text()))));
+  }
+  return list;
+}
+
+void bind_problems(py::module_&) { py::register_exception_translator(&translate); }
+
+}  // namespace talus::python

@@ -1,0 +1,42 @@
+"""Flight: a parabola, or with linear drag as in a forest. Equations and sources are in docs/laws.md."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from . import _talus
+from .problems import BadInput
+from .shapes import check, numbers, together, vectors
+
+__all__ = ["State", "at", "standard_gravity"]
+
+standard_gravity = 9.80665
+"""[m/s2]"""
+
+
+class State(NamedTuple):
+    """Where a rock in flight is, and how fast."""
+
+    position: np.ndarray
+    """[m], shape (3,) or (n, 3)"""
+    velocity: np.ndarray
+    """[m/s], shape (3,) or (n, 3)"""
+
+
+def at(position: Any, velocity: Any, time: Any, *, gravity: float = standard_gravity, drag_rate: float = 0) -> State:
+    """The state at ``time`` [s] of a flight that begins at ``position`` [m] with ``velocity`` [m/s].
+
+    Positions and velocities have the shape (3,) or (n, 3), times are a number or an array of n. ``drag_rate``: the drag
+    of a forest over the rock's mass, b/m [1/s]; 0: none.
+    """
+    shape, flat = together(position_3=vectors("position", position), velocity_3=vectors("velocity", velocity),
+                           time=numbers("time", time))
+    check("time", flat["time"], 0)
+    check("gravity", numbers("gravity", gravity), 0)
+    check("drag_rate", numbers("drag_rate", drag_rate), 0)
+    if not np.isfinite(gravity) or not np.isfinite(drag_rate):
+        raise BadInput("gravity and drag_rate must be finite")
+    positions, velocities = _talus.flight_at(*flat.values(), float(gravity), float(drag_rate))
+    return State(positions.reshape(shape + (3,)), velocities.reshape(shape + (3,)))

@@ -1,0 +1,55 @@
+"""Settings as keyword arguments: ``material={"Scree": {"normal_restitution": 0.3}}``."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+import json
+import re
+from typing import Any, Mapping
+
+from . import _talus
+from .problems import BadInput
+from .toml_text import inline_text, plain, string_text
+
+
+@lru_cache(maxsize=1)
+def schema() -> dict[str, Any]:
+    """The JSON Schema of the project file: every table and key with its unit, range, default and meaning."""
+    return json.loads(_talus.schema_text())
+
+
+def overrides(settings: Mapping[str, Any]) -> list[str]:
+    """The settings as the program's option ``--set`` takes them.
+
+    A key may be the path of a setting as well: ``{"material.Scree.normal_restitution": 0.3}``.
+    """
+    out: list[str] = []
+    for name, value in settings.items():
+        value = plain(value)
+        table = schema()["properties"].get(name)
+        if not isinstance(value, dict) or table is None:
+            out.append(f"{name}={inline_text(value)}")
+        elif table["type"] == "array":
+            for row, values in value.items():
+                if not isinstance(values, dict):
+                    raise BadInput(f'{name}.{row} is {values!r} (expected a table of settings). '
+                                   f'For example {name}={{"{row}": {{...}}}}')
+                out += [f"{name}.{_part(row)}.{_part(key)}={inline_text(each)}" for key, each in values.items()]
+        else:
+            out += [f"{name}.{_part(key)}={inline_text(each)}" for key, each in value.items()]
+    return out
+
+
+def whole(name: str, value: Any, least: int = 0) -> int | None:
+    """A whole number, or None."""
+    if value is None:
+        return None
+    number = value.item() if hasattr(value, "item") and getattr(value, "size", 1) == 1 else value
+    most = 2**63 - 1
+    if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
+        raise BadInput(f"{name} is {value!r} (expected a whole number from {least})")
+    return number
+
+
+def _part(name: str) -> str:
+    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else string_text(name)

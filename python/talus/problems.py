@@ -1,0 +1,63 @@
+"""What can go wrong, in the user's words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One problem of a project or of a file that it names.
+
+    Its text has the form ``file:line: where: what (why). hint``.
+    """
+
+    severity: str
+    """``"error"`` or ``"warning"``."""
+    file: str | None
+    """The file, as it was named."""
+    line: int | None
+    """The line of the file, from 1."""
+    where: str | None
+    """The key or object, for example ``material "Type One"``."""
+    what: str | None
+    """The problem."""
+    why: str | None
+    """The reason, with what was expected."""
+    hint: str | None
+    """What would fix it."""
+    path: str | None
+    """The setting, for example ``material.0.roughness_deg``."""
+    text: str
+    """All of this as one line."""
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class BadInput(ValueError):
+    """Input that cannot be used. All problems are found in one pass."""
+
+    problems: list[Problem]
+    """The errors, and the warnings among them."""
+
+    def __init__(self, problems: list[Problem] | str) -> None:
+        if isinstance(problems, str):
+            problems = [Problem("error", None, None, None, problems, None, None, None, problems)]
+        self.problems = list(problems)
+        super().__init__("\n".join(problem.text for problem in self.problems))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (BadInput, (self.problems,))
+
+
+class Interrupted(KeyboardInterrupt):
+    """A run that was stopped with Ctrl-C. The rocks done until then are kept."""
+
+    result: Any
+    """The results of the rocks done: a :class:`talus.Results`."""
+
+    def __init__(self, result: Any) -> None:
+        self.result = result
+        super().__init__(f"stopped after {result.rocks_done} of {result.rocks} rocks; they are in the exception's result")

@@ -1,0 +1,141 @@
+"""A project: a slope, its materials, where rocks start, barriers and settings."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from . import _talus
+from .overrides import overrides, schema, whole
+from .problems import BadInput, Problem
+from .toml_text import plain, project_text
+
+__all__ = ["Project"]
+
+
+class Project:
+    """A checked project, which does not change.
+
+    Make one from a file (:meth:`read`), from text (:meth:`from_text`), or from typed tables whose keys are those of the
+    project file::
+
+        project = talus.Project(
+            name="Slope",
+            terrain=talus.Terrain(section=[[0, 50], [40, 10], [80, 0]]),
+            material=[talus.Material(name="Rock", normal_restitution=talus.Normal(0.35, 0.04))],
+            seeder=[talus.Seeder(name="Crest", position=[1, "surface"], rocks=100, mass_kg=500)],
+        )
+
+    Tables may be dictionaries, too. Files that the project names are relative to ``folder``, by default the current one.
+    Raises :class:`talus.BadInput` with all problems at once.
+    """
+
+    def __init__(self, *, folder: str | os.PathLike[str] = ".", **tables: Any) -> None:
+        text = project_text(_in_order(plain(tables)))
+        name = str(tables.get("name") or "project").replace("/", "_")
+        self._core = _talus.Project.from_text(text, Path(folder) / f"{name}.toml", [], None, None)
+
+    @classmethod
+    def read(cls, file: str | os.PathLike[str], *, rocks: int | None = None, seed: int | None = None,
+             **settings: Any) -> Project:
+        """Reads a project file (TOML).
+
+        ``rocks``: total number of rocks, which several seeders share in proportion; ``seed``: of all draws. Other
+        settings are changed by their tables and keys: ``analysis={"gravity_m_s2": 9.81}``.
+        """
+        return cls._of(_talus.Project.read(os.fspath(file), overrides(settings), whole("rocks", rocks, 1), whole("seed", seed)))
+
+    @classmethod
+    def from_text(cls, text: str, *, file: str | os.PathLike[str] = "project.toml", rocks: int | None = None,
+                  seed: int | None = None, **settings: Any) -> Project:
+        """A project from the text of a file, whose name is used in messages and for relative paths."""
+        try:
+            text.encode()
+        except UnicodeEncodeError as error:
+            raise BadInput(f"{os.fspath(file)}: is not Unicode text ({error.reason})") from None
+        return cls._of(_talus.Project.from_text(text, os.fspath(file), overrides(settings), whole("rocks", rocks, 1), whole("seed", seed)))
+
+    @classmethod
+    def starter(cls) -> Project:
+        """The project that ``talus new`` writes: a small slope, ready to run."""
+        return cls.from_text(_talus.starter_text(), file="slope.toml")
+
+    @classmethod
+    def _of(cls, core: Any) -> Project:
+        project = cls.__new__(cls)
+        project._core = core
+        return project
+
+    def changed(self, *, rocks: int | None = None, seed: int | None = None, **settings: Any) -> Project:
+        """The project with other settings: ``project.changed(material={"Scree": {"roughness_deg": 5}})``."""
+        return Project._of(self._core.changed(overrides(settings), whole("rocks", rocks, 1), whole("seed", seed)))
+
+    @property
+    def name(self) -> str:
+        """Its name, or that of its file."""
+        return self._core.name
+
+    @property
+    def file(self) -> Path:
+        """The file that it was read from, or to which its relative paths refer."""
+        return Path(self._core.file)
+
+    @property
+    def is_2d(self) -> bool:
+        """Whether the terrain is a section."""
+        return self._core.is_2d
+
+    @property
+    def text(self) -> str:
+        """The text of its file; with changed settings, all settings with the changed values."""
+        return self._core.text if not self._core.is_changed else project_text(self.settings)
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """All settings with their defaults, as in a run's summary."""
+        return with_infinity(json.loads(self._core.echo_text()))
+
+    @property
+    def warnings(self) -> list[Problem]:
+        """Doubts about its settings."""
+        return self._core.warnings
+
+    def write(self, file: str | os.PathLike[str]) -> Path:
+        """Writes it as a project file, in the layout of the workbench. Replaces no file unless it is complete."""
+        path = Path(file)
+        part = path.with_name(path.name + ".part")
+        try:
+            part.write_text(self.text, encoding="utf-8", newline="\n")
+            os.replace(part, path)
+        except OSError as error:
+            raise BadInput(f"{path}: cannot be written ({error.strerror})") from None
+        return path
+
+    def __repr__(self) -> str:
+        return f"<talus.Project {self.name!r}, {'section' if self.is_2d else '3D'}, {self.file}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (_restored, (self.text, str(self.file)))
+
+
+def with_infinity(settings: dict[str, Any]) -> dict[str, Any]:
+    """Echoed settings with numbers for "inf", which JSON does not have."""
+    for name, rows in settings.items():
+        table = schema()["properties"][name]
+        declared = table.get("items", table).get("properties", {})
+        for row in rows if isinstance(rows, list) else [rows] if isinstance(rows, dict) else []:
+            row.update((key, float("inf")) for key, value in row.items()
+                       if value == "inf" and declared[key].get("x-infinite"))
+    return settings
+
+
+def _restored(text: str, file: str) -> Project:
+    return Project.from_text(text, file=file)
+
+
+def _in_order(tables: dict[str, Any]) -> dict[str, Any]:
+    """In the order of the reference; unknown names last, for the reader to refuse."""
+    known = [key for key in schema()["properties"] if key in tables]
+    return {key: tables[key] for key in known + [key for key in tables if key not in known]}

@@ -1,0 +1,51 @@
+"""Shapes of arguments of vectorised functions."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .problems import BadInput
+
+
+def numbers(name: str, value: Any) -> np.ndarray:
+    try:
+        return np.asarray(value, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise BadInput(f"{name} is not numeric (expected a number or an array of numbers)") from None
+
+
+def vectors(name: str, value: Any) -> np.ndarray:
+    array = numbers(name, value)
+    if array.ndim == 0 or array.shape[-1] != 3:
+        raise BadInput(f"{name} has the shape {array.shape} (expected (3,) or (n, 3): x, y and z of each)")
+    return array
+
+
+def check(name: str, array: np.ndarray, least: float, most: float = np.inf, excludes_least: bool = False) -> None:
+    """Refuses NaN and numbers out of range."""
+    good = (array > least if excludes_least else array >= least) & (array <= most)
+    if good.all():
+        return
+    word = "more than" if excludes_least else "at least"
+    limits = f"{word} {least:g}" if np.isinf(most) else f"{word} {least:g} and at most {most:g}"
+    raise BadInput(f"{name} is {array[~good].flat[0]:g} (expected {limits})")
+
+
+def together(**arrays: np.ndarray) -> tuple[tuple[int, ...], dict[str, np.ndarray]]:
+    """The common shape without the axis of vectors, and the arrays broadcast to it and flattened.
+
+    Names that end with ``_3`` are vectors.
+    """
+    shapes = {name: array.shape[:-1] if name.endswith("_3") else array.shape for name, array in arrays.items()}
+    try:
+        shape = np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        given = ", ".join(f"{name.removesuffix('_3')} {each}" for name, each in shapes.items())
+        raise BadInput(f"the arrays have different lengths ({given})") from None
+    flat = {}
+    for name, array in arrays.items():
+        full = shape + (3,) if name.endswith("_3") else shape
+        flat[name] = np.broadcast_to(array, full).reshape((-1, 3) if name.endswith("_3") else (-1,))
+    return shape, flat

@@ -1,0 +1,124 @@
+"""Bad input is an error with its place, and never a crash."""
+
+import shutil
+
+import numpy as np
+import pytest
+
+import talus
+
+from conftest import SLOPE, SOURCE
+
+
+def problems_of(call):
+    with pytest.raises(talus.BadInput) as caught:
+        call()
+    assert str(caught.value) == "\n".join(problem.text for problem in caught.value.problems)
+    return caught.value.problems
+
+
+def test_all_problems_have_their_places(tmp_path):
+    file = tmp_path / "slope.toml"
+    file.write_text(SLOPE.replace("mean = 0.4", "mean = 4").replace("rocks = 200", "rocks = -1").replace("height_m", "hight_m"))
+    found = problems_of(lambda: talus.Project.read(file))
+    assert [(problem.path, problem.line) for problem in found] == [
+        ("material.0.normal_restitution.mean", 7), ("seeder.0.rocks", 16), ("barrier.0.hight_m", 22)]
+    assert found[0].file == str(file) and found[0].severity == "error" and found[0].why and found[0].hint
+
+
+@pytest.mark.parametrize("value", [float("nan"), "high", [1, 2], {"mean": "x"}, True, -1, 1e400])
+def test_wrong_values_of_a_setting(slope, value):
+    model = talus.prepare(slope)
+    found = problems_of(lambda: model.run(material={"Scree": {"normal_restitution": value}}))
+    assert "normal_restitution" in str(found[0])
+
+
+@pytest.mark.parametrize("arguments", [
+    {"rocks": 0}, {"rocks": -1}, {"rocks": 1.5}, {"rocks": "many"}, {"rocks": float("nan")}, {"rocks": 2**70}, {"seed": -1},
+    {"threads": -1}, {"threads": 5000}, {"threads": 1.0}, {"progress": 3}, {"material": {"Granite": {"roughness_deg": 1}}},
+    {"material": {"Scree": 3}}, {"nonsense": {"a": 1}}, {"": 1}, {"material": [1]}, {"material": {"Scree": {"a=b": 1}}}])
+def test_wrong_arguments_of_a_run(slope, arguments):
+    model = talus.prepare(slope)
+    problems_of(lambda: model.run(**arguments))
+
+
+def test_a_setting_of_no_known_kind(slope):
+    with pytest.raises(TypeError, match="a setting cannot be"):
+        slope.changed(analysis={"gravity_m_s2": object()})
+
+
+def test_wrong_typed_tables():
+    found = problems_of(lambda: talus.Project(
+        terrain=talus.Terrain(section=np.array([[0, 1], [np.nan, 0]])),
+        material=[talus.Material(name="Rock", normal_restitution=talus.Normal(1.3, 0.1))],
+        seeder=[talus.Seeder(position=[0.5, "surface"], rocks=1, mass_kg=-1)], nonsense=1))
+    assert {problem.path for problem in found} >= {"material.0.normal_restitution.mean", "seeder.0.mass_kg", "nonsense"}
+    with pytest.raises(TypeError):
+        talus.Material(nam="Rock")
+
+
+def test_files_that_are_not_there(tmp_path, slope):
+    problems_of(lambda: talus.run(tmp_path / "none.toml"))
+    problems_of(lambda: talus.Project.read(tmp_path))
+    problems_of(lambda: talus.open_results(tmp_path))
+    problems_of(lambda: talus.run(slope).save("/proc/none"))
+    problems_of(lambda: slope.write(tmp_path / "none" / "slope.toml"))
+
+
+def test_a_folder_that_was_damaged(tmp_path, slope):
+    folder = talus.run(slope, output={"report": False}).save(tmp_path / "out")
+    assert talus.open_results(folder).rocks == 200
+    text = (folder / "endpoints.csv").read_text()
+    (folder / "endpoints.csv").write_text(text[:-30])
+    problems_of(lambda: talus.open_results(folder).end_points)
+    (folder / "paths.csv").unlink()
+    problems_of(lambda: talus.open_results(folder).events)
+    for damage in ("", "[]", "{", "[" * 100_000, '{"rocks": 3}', "\0"):
+        (folder / "summary.json").write_text(damage)
+        problems_of(lambda: talus.open_results(folder))
+    (folder / "summary.json").write_bytes(b"\xff\xfe")
+    problems_of(lambda: talus.open_results(folder))
+
+
+def test_files_that_vanish_while_a_model_is_used(tmp_path):
+    shutil.copy(SOURCE / "examples/maungawhau/maungawhau.asc", tmp_path)
+    shutil.copy(SOURCE / "examples/maungawhau/maungawhau.toml", tmp_path)
+    model = talus.prepare(tmp_path / "maungawhau.toml")
+    expected = model.run(rocks=20)
+    (tmp_path / "maungawhau.asc").unlink()
+    (tmp_path / "maungawhau.toml").unlink()
+    assert model.run(rocks=20).end_points.tobytes() == expected.end_points.tobytes()
+    assert (expected.save(tmp_path / "out") / "summary.json").exists()
+
+
+def test_hostile_projects():
+    """Those of the fuzzer: each is read, or refused."""
+    for file in sorted((SOURCE / "fuzz/corpus/project").iterdir()):
+        try:
+            talus.Project.from_text(file.read_bytes().decode("utf-8", "surrogateescape"))
+        except talus.BadInput:
+            pass
+
+
+def test_wrong_shapes():
+    law = {"mass": 1, "radius": 1, "normal_restitution": 0.5, "tangential_restitution": 0.5}
+    for velocity in (1, [1, 2], np.zeros((2, 2)), "fast", [[0, 0, np.nan]], None):
+        problems_of(lambda: talus.impact.crsp(velocity, **law))
+    problems_of(lambda: talus.impact.crsp(np.zeros((3, 3)), np.zeros((2, 3)), **law))
+    problems_of(lambda: talus.impact.crsp([0, 0, -1], normal=[0, 0, 2], **law))
+    problems_of(lambda: talus.impact.crsp([0, 0, -1], **{**law, "mass": 0}))
+    problems_of(lambda: talus.flight.at([0, 0, 0], [0, 0, 0], [0, -1]))
+    surface = talus.prepare(talus.Project.starter()).surface
+    problems_of(lambda: surface.elevation([1, 2], [1, 2, 3]))
+    problems_of(lambda: surface.first_contact([0, 0, 0], [0, 0, 0], radius=-1))
+    assert np.isnan(surface.elevation([np.nan, np.inf, 1e300])).all()
+    assert np.isnan(surface.first_contact([np.nan, 0, 0], [0, 0, 0]).time)
+
+
+def test_names_that_do_not_exist(slope):
+    result = talus.run(slope, rocks=5)
+    with pytest.raises(KeyError, match="there is no map"):
+        result.maps["height"]
+    for call in (lambda: result.frame("rocks"), lambda: talus.columns("rocks"),
+                 lambda: talus.plots.histogram(result, "seeder"), lambda: talus.plots.barrier_curves(result, "Wall")):
+        problems_of(call)

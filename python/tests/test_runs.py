@@ -1,0 +1,177 @@
+"""Runs in memory, and of prepared models."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import talus
+
+from conftest import SLOPE
+
+
+def test_a_run_has_its_tables(slope):
+    result = talus.run(slope)
+    assert result.is_complete and result.rocks == 200
+    ends = result.end_points
+    assert isinstance(ends, np.ndarray) and len(ends) == 200
+    assert ends.dtype.names == tuple(column.name for column in talus.columns("end_points"))
+    assert (ends["rock"] == np.arange(200)).all()
+    assert set(ends["seeder"]) == {"Crest"} and set(ends["end_reason"]) <= {"at rest", "left the model", "stopped by a barrier"}
+    assert (ends["max_ke_J"] > 0).all() and (ends["ensemble"] == -1).all() and np.isnan(ends["lateral_m"]).all()
+    events = result.events
+    assert set(events["rock"]) == set(range(200)) and events["state"][0] == "projectile"
+    hits = result.barrier_hits
+    assert set(hits["barrier"]) == {"Fence"} and set(hits["outcome"]) <= {"stopped", "rebounded", "broke through", "passed"}
+    assert len(result.impacts) == 0
+    assert result.summary["end_reasons"]["at rest"] == (ends["end_reason"] == "at rest").sum()
+    envelopes = result.envelopes
+    assert (np.diff(envelopes["x_m"]) > 0).all() and envelopes["passages"].max() <= 200
+    assert len(result.maps) == 0
+
+
+def test_tables_are_not_copied_and_outlive_their_results(slope):
+    result = talus.run(slope)
+    ends = result.end_points
+    assert ends.ctypes.data == result._source.core.table("end_points").ctypes.data
+    mean = ends["runout_xy_m"].mean()
+    del result
+    assert ends["runout_xy_m"].mean() == mean
+    with pytest.raises(ValueError):
+        ends["runout_xy_m"][0] = 1
+
+
+def test_results_do_not_depend_on_threads(slope):
+    one, two = (talus.run(slope, threads=threads) for threads in (1, 2))
+    assert one.end_points.tobytes() == two.end_points.tobytes() and one.events.tobytes() == two.events.tobytes()
+
+
+def test_a_prepared_model_runs_with_other_settings(slope):
+    model = talus.prepare(slope)
+    for change in (
+        {"material": {"Scree": {"normal_restitution": 0.2, "tangential_restitution": talus.Normal(0.8, 0.02)}}},
+        {"material": {"Rock": {"friction_angle_deg": 35}}, "seed": 7},
+        {"analysis": {"model": "rigid_sphere"}},
+        {"barrier": {"Fence": {"capacity_kJ": 1}}},
+        {"seeder": {"Crest": {"mass_kg": 900, "horizontal_velocity_m_s": 4}}},
+        {"barrier": {"Fence": {"height_m": 0.5}}},
+        {"rocks": 77, "seeder": {"Crest": {"position": [3, "surface"]}}},
+        {"output": {"paths": 10}, "sampling": {"method": "latin_hypercube"}},
+    ):
+        ours, fresh = model.run(**change), talus.run(slope.changed(**change))
+        assert ours.end_points.tobytes() == fresh.end_points.tobytes()
+        assert ours.barrier_hits.tobytes() == fresh.barrier_hits.tobytes()
+        assert ours.summary["fingerprint"] == fresh.summary["fingerprint"]
+    with pytest.raises(talus.BadInput, match="terrain is read once"):
+        model.run(terrain={"section": [[0, 1], [1, 0]]})
+
+
+def test_settings_can_be_named_by_paths(slope):
+    model = talus.prepare(slope)
+    by_table = model.run(material={"Scree": {"normal_restitution": 0.2}})
+    by_path = model.run(**{"material.Scree.normal_restitution": 0.2})
+    assert by_table.end_points.tobytes() == by_path.end_points.tobytes()
+
+
+def test_a_model_can_be_used_by_several_threads(slope):
+    model = talus.prepare(slope)
+    values = [0.2, 0.3, 0.4, 0.5]
+    expected = [model.run(material={"Scree": {"normal_restitution": value}}).end_points.tobytes() for value in values]
+    found = [None] * len(values)
+
+    def work(k):
+        for _ in range(3):
+            found[k] = model.run(material={"Scree": {"normal_restitution": values[k]}}).end_points.tobytes()
+
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(len(values))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert found == expected
+
+
+def test_many_runs_leak_nothing(slope):
+    model = talus.prepare(slope)
+
+    def resident():
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+    for _ in range(30):
+        model.run(rocks=50).summary
+    before = resident()
+    for _ in range(150):
+        model.run(rocks=50, seed=3).summary
+    assert resident() - before < 8e6  # a run has a third of a megabyte
+
+
+def test_progress_is_told(slope):
+    seen = []
+    talus.run(slope, progress=lambda done, planned: seen.append((done, planned)))
+    assert seen[-1] == (200, 200) and sorted(seen) == seen
+
+    def fail(done, planned):
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        talus.run(slope, progress=fail)
+
+
+def test_the_lock_is_released(slope):
+    """Another thread counts while a run is under way."""
+    model, counts, end = talus.prepare(slope), [0], threading.Event()
+
+    def count():
+        while not end.is_set():
+            counts[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    model.run(rocks=20000, output={"paths": "none", "trajectories_MB": 0})
+    during = counts[0]
+    end.set()
+    thread.join()
+    assert during > 0
+
+
+def test_control_c_stops_and_keeps():
+    """A process of its own gets the signal."""
+    code = f"""
+import os, signal, talus
+project = talus.Project.from_text({SLOPE!r}, rocks=3_000_000, output={{"paths": "none", "trajectories_MB": 0}})
+def interrupt(done, planned):
+    os.kill(os.getpid(), signal.SIGINT)
+try:
+    talus.run(project, progress=interrupt)
+except talus.Interrupted as stopped:
+    result = stopped.result
+    assert 0 < result.rocks_done < result.rocks and not result.is_complete
+    assert len(result.end_points) == result.rocks_done and result.summary["interrupted"]
+    print("kept")
+"""
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert process.stdout == "kept\n", process.stderr
+
+
+def test_one_rock_can_be_followed(slope):
+    result = talus.run(slope)
+    path = talus.follow(slope, rock=7)
+    rows = result.events[result.events["rock"] == 7]
+    assert path.events.tobytes() == rows.tobytes()
+    end = result.end_points[7]
+    assert (path.duration, path.mass, path.end_reason) == (end["time_s"], end["mass_kg"], end["end_reason"])
+    at = path.at(rows["time_s"])
+    assert np.allclose(at.position[:, 0], rows["x_m"], atol=1e-9)
+    assert np.allclose(at.position[:, 2], rows["z_m"], atol=1e-9)
+    fine = path.at(np.linspace(-1, path.duration + 1, 500))
+    steps = np.linalg.norm(np.diff(fine.position, axis=0), axis=1)
+    assert steps.max() < 1.1 * np.linalg.norm(fine.velocity, axis=1).max() * (path.duration + 2) / 499
+    with pytest.raises(talus.BadInput, match="there is no rock 200"):
+        talus.follow(slope, rock=200)
