@@ -42,7 +42,7 @@ int section(const SectionOptions& options) {
   model.frame = built.frame;
   model.crs_wkt = std::move(built.crs_wkt);
   const auto line = places_given(options.line, PlanShape::line, model, "--line", warnings);
-  const std::vector<SectionVertex> cut = cut_section(model.surface, model.frame, line, options.tolerance_m, "--line");
+  const std::vector<SectionVertex> cut = cut_section(*model.surface, model.frame, line, options.tolerance_m, "--line");
   print_warnings(warnings);
   const std::string table = section_table(cut);
   if (options.file.empty()) {

@@ -31,7 +31,7 @@ class CutSection : public InputFolder {
   }
   [[nodiscard]] std::vector<SectionVertex> cut(const std::vector<Corner>& line, double tolerance) {
     const project::BuiltTerrain built = roof();
-    return cut_section(built.surface, built.frame, line, tolerance, "--line");
+    return cut_section(*built.surface, built.frame, line, tolerance, "--line");
   }
 };
 
