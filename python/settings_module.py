@@ -77,7 +77,8 @@ def meaning(key: str, setting: dict[str, Any], table: dict[str, Any]) -> str:
 def default_text(value: Any) -> str:
     if isinstance(value, dict) and value.get("distribution") == "none":
         value = value["mean"]
-    return json.dumps(value, ensure_ascii=False)
+    plain = json.loads(json.dumps(value), parse_float=lambda text: int(float(text)) if text.endswith(".0") else float(text))
+    return json.dumps(plain, ensure_ascii=False)
 
 
 def range_text(setting: dict[str, Any]) -> str:

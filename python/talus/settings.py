@@ -51,7 +51,7 @@ class Analysis(Table):
     grazing_angle_deg: A rock that slides or rolls, and meets ground at a smaller angle than this at a bend or after
     a hop over one, moves on along it without an impact, slowed by friction. With the default, results hardly depend
     on the size of cells; 0 gives an impact at every bend, as in RocFall. Unit: deg. Range: at least 0, at most 45.
-    Default: 15.0.
+    Default: 15.
 
     stopped_velocity_m_s: A rock slower than this comes to rest where friction can hold it. Unit: m/s. Range: at
     least 0, at most 10000. Default: 0.1.
@@ -60,7 +60,7 @@ class Analysis(Table):
     together) ends, for the reason "maximum steps". Range: at least 1, at most 1e+09. Default: 10000.
 
     max_time_s: A trajectory that lasts longer than this ends, for the reason "maximum time". Unit: s. Range: more
-    than 0, at most 1e+06. Default: 600.0.
+    than 0, at most 1e+06. Default: 600.
 
     energy_datum_m: Elevation at which potential energy is zero. Unit: m. Range: at least -1e+09, at most 1e+09.
     Without it: the lowest point of the terrain.
@@ -78,7 +78,7 @@ class Analysis(Table):
     false.
 
     rn_mass_scale_kg: Mass at which scaling by mass halves the normal restitution. Unit: kg. Range: more than 0, at
-    most 1e+12. Default: 1000.0.
+    most 1e+12. Default: 1000.
 
     tangential_crsp_damping: Rigid sphere: the tangential velocity after an impact is damped as in CRSP. Default:
     false.
@@ -143,9 +143,16 @@ class Terrain(Table):
     """[terrain]: The slope: exactly one of `section`, `mesh`, `triangles`, `raster`, a survey (`points`, `lines` or
     both), `polylines` and `polygons`. z points upwards.
 
-    section: Two or more vertices [x, z] of a slope in section, in order along the slope. Unit: m. Without it: one
-    of section, mesh, triangles, raster, points, lines, polylines and polygons is required. Excludes mesh, vertices,
-    triangles, raster, points, lines, polylines, polygons.
+    section: Two or more vertices [x, z] of a slope in section, in order along the slope; or a file that has them:
+    text (.csv, .txt, ...) with the columns distance and z, or x, y and z; or one line of a DXF, GeoPackage,
+    Shapefile or GeoJSON. A line in space gives the section along itself. The path is relative to the project file.
+    Unit: m. Without it: one of section, mesh, triangles, raster, points, lines, polylines and polygons is required.
+    Excludes mesh, vertices, triangles, raster, points, lines, polylines, polygons.
+
+    section_layer: Layer of `section`, in a vector file or drawing. Without it: the only layer.
+
+    section_tolerance_m: Vertices of a `section` from a file that lie within this distance of the line through the
+    others are left out (Douglas-Peucker). Unit: m. Range: at least 0, at most 1e+09. Default: 0.
 
     section_std_dev_m: 2D: standard deviations [of x, of z], one pair for each vertex; every rock has its own slope.
     Vertices move by up to 3 standard deviations and keep their order in x. Unit: m. Without it: the vertices are
@@ -224,12 +231,14 @@ class Terrain(Table):
     the files.
 
     rotate_deg: 3D: rotates the terrain about the vertical, counter-clockwise seen from above; seeders and barriers
-    stay in place. Unit: deg. Range: at least -360, at most 360. Default: 0.0.
+    stay in place. Unit: deg. Range: at least -360, at most 360. Default: 0.
 
-    rotate_about: A point [x, y, z] on the vertical axis of rotation. Unit: m. Default: [0.0, 0.0, 0.0].
+    rotate_about: A point [x, y, z] on the vertical axis of rotation. Unit: m. Default: [0, 0, 0].
     """
 
-    section: Sequence[Sequence[float]] | None = None
+    section: Sequence[Sequence[float]] | File | None = None
+    section_layer: str | None = None
+    section_tolerance_m: float | None = None
     section_std_dev_m: Sequence[Sequence[float]] | None = None
     width_m: float | None = None
     mesh: File | Sequence[File] | None = None
@@ -273,16 +282,16 @@ class Material(Table):
     most 1. Default: 0.85.
 
     friction_angle_deg: Lumped mass: phi, the friction angle of sliding. Unit: deg. Range: at least 0, at most 89.9.
-    Default: 30.0.
+    Default: 30.
 
     roughness_deg: Standard deviation of the random tilt of the ground at an impact; 0 is smooth. Unit: deg. Range:
-    at least 0, less than 90. Default: 0.0.
+    at least 0, less than 90. Default: 0.
 
     roughness_spacing_m: Rigid sphere: distance between the bumps of rough ground. Unit: m. Range: at least 0, at
-    most 100000. Default: 0.0.
+    most 100000. Default: 0.
 
     roughness_amplitude_m: Rigid sphere: height of the bumps of rough ground. Unit: m. Range: at least 0, at most
-    100000. Default: 0.0.
+    100000. Default: 0.
 
     dynamic_friction: Rigid sphere: mu, the coefficient of friction while the contact slips. Range: at least 0, at
     most 1e+06. Default: 0.5.
@@ -300,7 +309,7 @@ class Material(Table):
     Unit: m. Range: more than 0, at most 10000. Without it: required with `forest` or `forest_drag_kg_s`.
 
     ground_drag_per_s: Viscoplastic drag of soft ground: in addition to friction, a sliding or rolling rock is
-    decelerated by this times its velocity. Unit: 1/s. Range: at least 0, at most 1e+06. Default: 0.0.
+    decelerated by this times its velocity. Unit: 1/s. Range: at least 0, at most 1e+06. Default: 0.
     """
 
     name: str | None = None
@@ -468,24 +477,24 @@ class Seeder(Table):
     gives it. Excludes mass_kg, volume_m3.
 
     density_kg_m3: Density of the rock; mass and density give the radius. Unit: kg/m3. Range: at least 100, at most
-    20000. Default: 2700.0.
+    20000. Default: 2700.
 
     horizontal_velocity_m_s: Horizontal velocity of release, along `direction`. Unit: m/s. Range: at least -10000,
-    at most 10000. Default: 0.0. Excludes speed_m_s.
+    at most 10000. Default: 0. Excludes speed_m_s.
 
     vertical_velocity_m_s: Vertical velocity of release, positive upwards. Unit: m/s. Range: at least -10000, at
-    most 10000. Default: 0.0. Excludes speed_m_s.
+    most 10000. Default: 0. Excludes speed_m_s.
 
     speed_m_s: Velocity of release along `direction` in space, not only on plan. Unit: m/s. Range: at least 0, at
     most 10000. Without it: given by `horizontal_velocity_m_s` and `vertical_velocity_m_s`. Excludes
     horizontal_velocity_m_s, vertical_velocity_m_s.
 
     rotational_velocity_deg_s: Spin at release, positive if the rock rolls forwards along `direction`. Unit: deg/s.
-    Range: at least -1e+06, at most 1e+06. Default: 0.0.
+    Range: at least -1e+06, at most 1e+06. Default: 0.
 
     direction: [x, z] in 2D, [x, y, z] in 3D, of any length: of the horizontal velocity (then z is 0) or of
     `speed_m_s`. Or `"downslope"`: down the ground below the release, with `speed_m_s` along it; [1, 0, 0] where the
-    ground is level. Default: [1.0, 0.0, 0.0].
+    ground is level. Default: [1, 0, 0].
     """
 
     name: str | None = None
@@ -534,7 +543,7 @@ class Barrier(Table):
     Required.
 
     inclination_deg: Lean from the vertical, positive to the right of the line's direction (2D: towards +x). Unit:
-    deg. Range: more than -90, less than 90. Default: 0.0.
+    deg. Range: more than -90, less than 90. Default: 0.
 
     capacity_kJ: Kinetic energy that it absorbs; a rock with more breaks through and keeps the excess. Unit: kJ.
     Range: more than 0, at most 1e+20.
@@ -568,7 +577,7 @@ class Collector(Table):
     Required.
 
     inclination_deg: Lean from the vertical, positive to the right of the line's direction (2D: towards +x). Unit:
-    deg. Range: more than -90, less than 90. Default: 0.0.
+    deg. Range: more than -90, less than 90. Default: 0.
     """
 
     name: str | None = None
@@ -627,18 +636,17 @@ class Design(Table):
     and a rock that bypasses a line is not caught. Without it: each line is judged by the rocks that reach it.
 
     section_m: 3D: length on plan of the sections of a line, from where it first stands on the terrain; the last
-    section is half to one and a half times as long. Unit: m. Range: more than 0, at most 1e+09. Default: 10.0.
+    section is half to one and a half times as long. Unit: m. Range: more than 0, at most 1e+09. Default: 10.
 
     free_end_m: 3D: length on plan at both ends of a line that is not relied on: rocks that cross there are not
-    caught. Unit: m. Range: at least 0, at most 1e+09. Default: 0.0.
+    caught. Unit: m. Range: at least 0, at most 1e+09. Default: 0.
 
     clearance_m: Distance on plan from every line to what is protected, which the net must not reach. Unit: m.
     Range: at least 0, at most 1e+09. Without it: the distance on plan to the line of `protect`, section by section.
 
     pairs: Whether every two of the lines are also ranked together, one behind the other. Default: false.
 
-    percentiles: Percentiles of energy, velocity and height along the lines, at most 20. Default: [50.0, 95.0,
-    99.0].
+    percentiles: Percentiles of energy, velocity and height along the lines, at most 20. Default: [50, 95, 99].
 
     confidence: Confidence level of the intervals of percentiles and shares. Range: more than 0, less than 1.
     Default: 0.95.
@@ -696,14 +704,13 @@ class Design(Table):
     catch_share: Share of the rocks that a kit must catch to be ranked by cost. Range: more than 0, at most 1.
     Default: 0.95.
 
-    heights_m: Nominal heights of the available kits. Unit: m. Default: [2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0,
-    8.0, 9.0, 10.0].
+    heights_m: Nominal heights of the available kits. Unit: m. Default: [2, 2.5, 3, 3.5, 4, 5, 6, 7, 8, 9, 10].
 
-    energies_kJ: Maximum energy levels of the available kits. Unit: kJ. Default: [100.0, 250.0, 500.0, 1000.0,
-    1500.0, 2000.0, 3000.0, 4500.0].
+    energies_kJ: Maximum energy levels of the available kits. Unit: kJ. Default: [100, 250, 500, 1000, 1500, 2000,
+    3000, 4500].
 
     cost_height_exponent: a in the cost index: length x height^a x energy^b, in m and kJ. Range: at least 0, at most
-    100. Default: 1.0.
+    100. Default: 1.
 
     cost_energy_exponent: b in the cost index. Range: at least 0, at most 100. Default: 0.5.
     """
@@ -778,7 +785,7 @@ class Output(Table):
     `"terrain"` for a raster, otherwise 1.
 
     percentiles: Percentiles of energy, velocity and bounce height to map in addition to the maximum and the mean,
-    at most 20. Default: [50.0, 95.0, 99.0].
+    at most 20. Default: [50, 95, 99].
 
     geopackage: 3D: number of rocks whose end points and paths are in `results.gpkg`, together with the barriers:
     `"all"` or a number; with `"none"`, the file is not written. Range: at least 0, at most 1e+12. Default: 10000.
@@ -863,8 +870,7 @@ class Layer(Table):
 
     colour: Colour of the lines and points of a vector file, as `#rrggbb`. Default: "#d95f02".
 
-    opacity: From 0, which is invisible, to 1, which hides what is below. Range: at least 0, at most 1. Default:
-    1.0.
+    opacity: From 0, which is invisible, to 1, which hides what is below. Range: at least 0, at most 1. Default: 1.
 
     visible: Whether it is drawn until it is switched on or off in the workbench. Default: true.
     """
