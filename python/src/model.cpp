@@ -11,10 +11,10 @@ namespace talus::python {
 
 namespace {
 
-using Model = std::shared_ptr<PreparedModel>;
+using PreparedPointer = std::shared_ptr<PreparedModel>;
 
-Model prepare(std::shared_ptr<GivenProject> given) {
-  Model model;
+PreparedPointer prepare(std::shared_ptr<GivenProject> given) {
+  PreparedPointer model;
   do_away_or_throw([&](const std::atomic<bool>&) { model = std::make_shared<PreparedModel>(std::move(given)); });
   return model;
 }
@@ -53,7 +53,7 @@ py::tuple run(const PreparedModel& model, std::vector<std::string> settings, std
 }  // namespace
 
 void bind_model(py::module_& module) {
-  py::class_<PreparedModel, Model>(module, "Model")
+  py::class_<PreparedModel, PreparedPointer>(module, "Model")
       .def(py::init(&prepare), py::arg("project"))
       .def("run", &run, py::arg("settings"), py::arg("rocks"), py::arg("seed"), py::arg("threads"), py::arg("progress"))
       .def_property_readonly("warnings", [](const PreparedModel& self) { return as_python(self.site()->warnings); })
