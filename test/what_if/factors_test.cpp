@@ -8,6 +8,7 @@
 #include <string>
 
 #include "support/projects.hpp"
+#include "what_if/read.hpp"
 
 namespace talus::what_if {
 namespace {
@@ -37,8 +38,6 @@ position = [1, 0]
 diameter_m = 1.5
 rocks = 50
 )";
-
-project::Project read(const std::string& text) { return project::read_project_text(text, "slope.toml").project; }
 
 std::string listed(const std::vector<Variation>& variations) {
   std::string text;

@@ -19,6 +19,7 @@
 #include "talus/store/rock_choice.hpp"
 #include "talus/what_if/output.hpp"
 #include "talus/what_if/varied_models.hpp"
+#include "what_if/read.hpp"
 
 namespace talus::what_if {
 namespace {
@@ -40,8 +41,6 @@ struct Asked {
                                        "--step", warnings);
   }
 };
-
-project::Project read(const std::string& text) { return project::read_project_text(text, "slope.toml").project; }
 
 AskedPlace bench(const Model& model, Problems& warnings) {
   constexpr std::array<PlanPlace, 3> line{{{15, 2}, {16, 30}, {14, 58}}};
