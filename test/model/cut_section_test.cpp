@@ -57,7 +57,9 @@ TEST_F(CutSection, IsReadBackFromItsTable) {
 
 TEST_F(CutSection, RefusesLinesBeyondTheGround) {
   EXPECT_THAT(refusal_of([&] { static_cast<void>(cut({{10, 20}, {300, 20}}, 0)); }),
-              HasSubstr("--line: the line leaves the ground (there is none from 150 to 290 m along the line)"));
+              HasSubstr("--line: the line leaves the ground (there is none beyond 150 m along the line)"));
+  EXPECT_THAT(refusal_of([&] { static_cast<void>(cut({{500, 20}, {600, 20}}, 0)); }),
+              HasSubstr("the line leaves the ground (there is none beyond 0 m along the line)"));
   EXPECT_THAT(refusal_of([&] { static_cast<void>(cut({{10, 20}, {10, 20}}, 0)); }), HasSubstr("has no length"));
 }
 

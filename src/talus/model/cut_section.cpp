@@ -29,9 +29,11 @@ std::vector<SectionPoint> ground_along(const ModelSurface& surface, std::span<co
 void refuse_gaps(const std::vector<SectionPoint>& section, std::string_view where) {
   for (std::size_t k = 0; k < section.size(); ++k) {
     if (section[k].z) continue;
-    const double from = section[k].distance, to = section[std::min(k + 1, section.size() - 1)].distance;
+    const bool is_last = k + 1 == section.size();
     refuse_cut(where, "the line leaves the ground",
-               fmt::format("there is none from {:.6g} to {:.6g} m along the line", from, to),
+               is_last ? fmt::format("there is none beyond {:.6g} m along the line", section[k].distance)
+                       : fmt::format("there is none from {:.6g} to {:.6g} m along the line", section[k].distance,
+                                     section[k + 1].distance),
                "Draw it over the terrain, without holes");
   }
 }
@@ -44,9 +46,9 @@ std::vector<SectionVertex> cut_section(const ModelSurface& surface, const LocalF
   std::vector<Vec2> local;
   for (const auto& [x, y] : line) local.push_back(frame.local_from_global({x, y, 0}).head<2>());
   const std::vector<SectionPoint> ground = ground_along(surface, local, where);
+  refuse_gaps(ground, where);
   if (ground.empty() || !(ground.back().distance > 0))
     refuse_cut(where, "the line has no length", "a section leads from one place to another", "");
-  refuse_gaps(ground, where);
   if (ground.size() >= most_vertices) {
     refuse_cut(where, "the section is too large", fmt::format("it has more than {} bends", most_vertices),
                "Cut it into parts");
