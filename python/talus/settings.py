@@ -152,7 +152,8 @@ class Terrain(Table):
     section_layer: Layer of `section`, in a vector file or drawing. Without it: the only layer.
 
     section_tolerance_m: Vertices of a `section` from a file that lie within this distance of the line through the
-    others are left out (Douglas-Peucker). Unit: m. Range: at least 0, at most 1e+09. Default: 0.
+    others are left out (Douglas-Peucker). Unit: m. Range: at least 0, at most 1e+09. Without it: all vertices are
+    kept.
 
     section_std_dev_m: 2D: standard deviations [of x, of z], one pair for each vertex; every rock has its own slope.
     Vertices move by up to 3 standard deviations and keep their order in x. Unit: m. Without it: the vertices are
