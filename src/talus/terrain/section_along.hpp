@@ -52,8 +52,10 @@ template <class Surface>
       const double begin = bends[i], end = bends[i + 1], span = end - begin;
       const auto z0 = elevation(from + (begin + inside * span) * d), z1 = elevation(from + (end - inside * span) * d);
       const bool is_ground = z0 && z1 && elevation(from + (begin + 0.5 * span) * d);
-      put(way + begin * length, from + begin * d, is_ground ? z0 : std::nullopt);
-      if (is_ground) put(way + end * length, from + end * d, z1);
+      // To the ends, along the straight.
+      const double rise = is_ground ? (*z1 - *z0) * inside / (1 - 2 * inside) : 0;
+      put(way + begin * length, from + begin * d, is_ground ? std::optional(*z0 - rise) : std::nullopt);
+      if (is_ground) put(way + end * length, from + end * d, *z1 + rise);
     }
     way += length;
   }

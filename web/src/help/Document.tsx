@@ -1,7 +1,7 @@
 // Shows the documentation of Talus in the page.
 
-import type { ComponentChildren } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import type { ComponentChildren, RefObject } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
@@ -42,12 +42,11 @@ export function DocumentDialog() {
 
 /// An equation of the documentation, set once the library for it is loaded.
 function Equation({ text, isBlock }: { text: string; isBlock: boolean }) {
-  const [html, setHtml] = useState('');
+  const place = useRef<HTMLElement>(null);
   useEffect(() => {
-    void import('./equation').then(({ setEquation }) => setHtml(setEquation(text, isBlock)), reportFailure);
+    void import('./equation').then(({ drawEquation }) => place.current && drawEquation(place.current, text, isBlock), reportFailure);
   }, [text, isBlock]);
-  const Tag = isBlock ? 'div' : 'span';
-  return <Tag class={isBlock ? 'scroll' : ''} dangerouslySetInnerHTML={{ __html: html }} />;
+  return isBlock ? <div ref={place as RefObject<HTMLDivElement>} class="scroll" /> : <span ref={place} />;
 }
 
 function Spans({ text }: { text: string }) {

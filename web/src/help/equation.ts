@@ -3,7 +3,9 @@
 import katex from 'katex';
 import 'katex/dist/katex.min.css';
 
-/// HTML of an equation, on a line of its own (`isBlock`) or within text. Throws if it is not valid.
-export function setEquation(equation: string, isBlock: boolean): string {
-  return katex.renderToString(equation, { displayMode: isBlock, strict: 'error' });
-}
+/// Of an equation on a line of its own (`isBlock`) or within text. One that is not valid is refused.
+export const equationOptions = (isBlock: boolean) => ({ displayMode: isBlock, strict: 'error' as const });
+
+/// Sets an equation in an element. Throws if it is not valid.
+export const drawEquation = (place: HTMLElement, equation: string, isBlock: boolean) =>
+  katex.render(equation, place, equationOptions(isBlock));
