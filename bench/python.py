@@ -50,7 +50,7 @@ def million():
     begin = time.perf_counter()
     result = model.run(rocks=1_000_000, output=FEW)
     seconds = time.perf_counter() - begin
-    array = best(lambda: result._source.core.table("end_points"))
+    array = best(lambda: result._source.table("end_points"))
     print(f"a million rocks: {seconds:.2f} s, of which {result._source.core.seconds:.2f} s rocks; their end points as an "
           f"array: {array * 1000:.3f} ms; hash {hash_of(result.end_points)}")
     begin = time.perf_counter()

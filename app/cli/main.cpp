@@ -233,8 +233,7 @@ int dispatch(int argc, char** argv) {
       ->type_name("M");
   section_command->add_option("--crs", section_options.crs, "Coordinate system of a file that names none, or \"local\"")
       ->type_name("CRS");
-  section_command
-      ->add_option("-o,--output", section_options.file, "File for the table (default: standard output)")
+  section_command->add_option("-o,--output", section_options.file, "File for the table (default: standard output)")
       ->check(names_file)
       ->type_name("FILE.csv");
 

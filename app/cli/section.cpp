@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "commands.hpp"
+#include "earlier_output.hpp"
 #include "load.hpp"
 #include "talus/files/file_formats.hpp"
 #include "talus/files/output_file.hpp"
@@ -15,9 +16,20 @@ namespace talus::cli {
 
 namespace {
 
-/// A project with nothing but a terrain from one file.
-project::Project project_of_terrain(const SectionOptions& options) {
+/// The project, or one with nothing but a terrain from one file.
+project::Project project_of_terrain(const SectionOptions& options, Problems& warnings) {
   project::Project project;
+  if (options.terrain.extension() == ".toml") {
+    if (!options.crs.empty()) {
+      throw BadInput(Problem{.where = "--crs",
+                             .what = "is given for a project",
+                             .why = "a project names its own coordinate system",
+                             .hint = "Set it there: terrain.crs"});
+    }
+    project::Reading reading = project::read_project(options.terrain, {});
+    warnings = std::move(reading.warnings);
+    return std::move(reading.project);
+  }
   project.file = options.terrain;
   project.terrain.crs = options.crs;
   const std::filesystem::path name = options.terrain.filename();
@@ -32,10 +44,9 @@ project::Project project_of_terrain(const SectionOptions& options) {
 }  // namespace
 
 int section(const SectionOptions& options) {
+  if (!options.file.empty()) refuse_other_files(options.file, section_header, "table of a section");
   Problems warnings;
-  const project::Project project = options.terrain.extension() == ".toml"
-                                       ? project::read_project(options.terrain, {}).project
-                                       : project_of_terrain(options);
+  const project::Project project = project_of_terrain(options, warnings);
   project::BuiltTerrain built = project::build_terrain(project, warnings);
   Model model;
   model.surface = std::move(built.surface);

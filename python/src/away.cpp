@@ -14,7 +14,7 @@ namespace talus::python {
 namespace py = pybind11;
 
 std::exception_ptr do_away(const std::function<void(const std::atomic<bool>& stop)>& work,
-                           const std::function<void()>& tell) {
+                           const std::function<void()>& report) {
   using namespace std::chrono_literals;
   std::atomic<bool> stop{false};
   std::promise<void> end;
@@ -41,7 +41,7 @@ std::exception_ptr do_away(const std::function<void(const std::atomic<bool>& sto
     }
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (tell) tell();
+      if (report) report();
     } catch (...) {
       interruption = std::current_exception();
       stop = true;

@@ -20,7 +20,10 @@ void rebounds(const Law& law, const Impacts& in, py::ssize_t count, VectorsOut& 
     const Vec3 v = in.velocity[k], w = in.spin[k], n = in.normal[k];
     const Rock rock{in.mass[k], in.radius[k], 0.4 * in.mass[k] * in.radius[k] * in.radius[k]};
     const Rebound after = law.rebound(
-        Approach{v, w, n, rock}, [&] { return Restitution{in.rn[k], in.rt[k]}; },
+        Approach{v, w, n, rock},
+        [&] {
+          return Restitution{in.rn[k], in.rt[k]};
+        },
         [&] {
           return ContactFriction{in.mu[k], in.rolling[k]};
         });
@@ -33,7 +36,7 @@ py::tuple rebound(const std::string& law, const Numbers& velocity, const Numbers
                   const Numbers& mass, const Numbers& radius, const Numbers& rn, const Numbers& rt, const Numbers& mu,
                   const Numbers& rolling) {
   const py::ssize_t count = velocity.ndim() > 0 ? velocity.shape(0) : 0;
-  const Impacts in{{velocity, count}, {spin, count}, {normal, count}, {mass, count}, {radius, count},
+  const Impacts in{{velocity, count}, {spin, count}, {normal, count}, {mass, count},   {radius, count},
                    {rn, count},       {rt, count},   {mu, count},     {rolling, count}};
   VectorsOut v(count), w(count);
   {
@@ -45,7 +48,8 @@ py::tuple rebound(const std::string& law, const Numbers& velocity, const Numbers
   return py::make_tuple(v.array(), w.array());
 }
 
-py::tuple flight_at(const Numbers& position, const Numbers& velocity, const Numbers& time, double gravity, double rate) {
+py::tuple flight_at(const Numbers& position, const Numbers& velocity, const Numbers& time, double gravity,
+                    double rate) {
   const py::ssize_t count = time.ndim() > 0 ? time.shape(0) : 0;
   const VectorsIn p(position, count), v(velocity, count);
   const NumbersIn t(time, count);

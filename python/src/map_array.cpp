@@ -23,8 +23,8 @@ void read_tile(const Maps::Tile& tile, const Maps::Extent& extent, const MapGrou
       // A count of 0 is a cell without data, as in the files.
       if (map.is_count && values[place] == 0) continue;
       const auto line = static_cast<std::size_t>(extent.last.row - row);
-      map.values[line * static_cast<std::size_t>(map.columns) + static_cast<std::size_t>(column - extent.first.column)] =
-          static_cast<float>(values[place]);
+      map.values[line * static_cast<std::size_t>(map.columns) +
+                 static_cast<std::size_t>(column - extent.first.column)] = static_cast<float>(values[place]);
     }
   }
 }

@@ -31,16 +31,16 @@ py::tuple run(const PreparedModel& model, std::vector<std::string> settings, std
     begun->simulate(threads, stop, done);
     run = std::move(begun);
   };
-  std::uint64_t told = 0;
-  const auto tell = [&] {
-    if (!progress || planned == 0 || done == told) return;
-    told = done;
-    (*progress)(told, planned.load());
+  std::uint64_t reported = 0;
+  const auto report = [&] {
+    if (!progress || planned == 0 || done == reported) return;
+    reported = done;
+    (*progress)(reported, planned.load());
   };
-  const std::exception_ptr interruption = do_away(work, tell);
+  const std::exception_ptr interruption = do_away(work, report);
   if (interruption && !run) std::rethrow_exception(interruption);
   if (!interruption) {
-    tell();
+    report();
     return py::make_tuple(run, py::none());
   }
   try {
@@ -58,10 +58,7 @@ void bind_model(py::module_& module) {
       .def("run", &run, py::arg("settings"), py::arg("rocks"), py::arg("seed"), py::arg("threads"), py::arg("progress"))
       .def_property_readonly("warnings", [](const PreparedModel& self) { return as_python(self.site()->warnings); })
       .def_property_readonly("rocks", [](const PreparedModel& self) { return self.site()->model.rocks(); })
-      .def_property_readonly("crs_wkt", [](const PreparedModel& self) { return self.site()->model.crs_wkt; })
-      .def_property_readonly("reports", [](const PreparedModel& self) {
-        return py::make_tuple(self.site()->model.terrain_report, self.site()->model.seeder_report);
-      });
+      .def_property_readonly("crs_wkt", [](const PreparedModel& self) { return self.site()->model.crs_wkt; });
 }
 
 }  // namespace talus::python

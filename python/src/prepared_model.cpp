@@ -42,16 +42,16 @@ PreparedModel::PreparedModel(std::shared_ptr<const GivenProject> given) : given_
   const project::Project& project = given_->reading.project;
   terrain_ = project::read_terrain(project, build_warnings_);
   Model model = project::build_model(project, terrain_, build_warnings_);
-  site_ = std::make_shared<const Site>(Site{project, std::move(model), joined(given_->reading.warnings, build_warnings_),
-                                            project::report_inputs(project)});
+  site_ = std::make_shared<const Site>(Site{
+      project, std::move(model), joined(given_->reading.warnings, build_warnings_), project::report_inputs(project)});
 }
 
 std::shared_ptr<const Site> PreparedModel::site_with(const project::Overrides& overrides) const {
   if (overrides.settings.empty() && !overrides.rocks && !overrides.seed) return site_;
   check_terrain_stays(overrides.settings);
   project::Reading reading = project::read_project_text(given_->text, given_->file, given_->with(overrides));
-  const bool is_of_numbers =
-      std::ranges::all_of(overrides.settings, [](const std::string& setting) { return project::needs_no_terrain(path_of(setting)); });
+  const bool is_of_numbers = std::ranges::all_of(
+      overrides.settings, [](const std::string& setting) { return project::needs_no_terrain(path_of(setting)); });
   if (is_of_numbers && !overrides.rocks && site_->model.ensembles.empty()) {
     Site site{std::move(reading.project), site_->model, joined(reading.warnings, build_warnings_), site_->inputs};
     project::set_properties(project::read_samples(site.project, site.warnings), site.model);

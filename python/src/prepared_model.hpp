@@ -15,9 +15,9 @@ class PreparedModel {
   explicit PreparedModel(std::shared_ptr<const GivenProject> given);
 
   [[nodiscard]] const std::shared_ptr<const Site>& site() const { return site_; }
-  /// The site with other settings, on the same terrain. Values of materials, laws, capacities, sizes and velocities, and
-  /// the seed, take next to no time. Throws BadInput; also on settings of the terrain and its ground. Can be called by
-  /// several threads.
+  /// The site with other settings, on the same terrain. Values of materials, laws, capacities, sizes and velocities,
+  /// and the seed, take next to no time. Throws BadInput; also on settings of the terrain and its ground. Can be called
+  /// by several threads.
   [[nodiscard]] std::shared_ptr<const Site> site_with(const project::Overrides& overrides) const;
 
  private:

@@ -51,7 +51,8 @@ Given read_file(const std::filesystem::path& file, const Settings& settings, std
 template <class Row>
 py::list columns_of() {
   py::list list;
-  for (const ColumnText& column : column_texts<Row>()) list.append(py::make_tuple(column.name, column.unit, column.meaning));
+  for (const ColumnText& column : column_texts<Row>())
+    list.append(py::make_tuple(column.name, column.unit, column.meaning));
   return list;
 }
 

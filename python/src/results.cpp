@@ -6,7 +6,6 @@
 #include "bindings.hpp"
 #include "folder_tables.hpp"
 #include "memory_run.hpp"
-#include "problems.hpp"
 #include "tables.hpp"
 
 namespace talus::python {
@@ -82,15 +81,12 @@ void bind_results(py::module_& module) {
             do_away_or_throw([&](const std::atomic<bool>&) { run->save(folder); });
           },
           py::arg("folder"))
-      .def_property_readonly("name", [](const Run& run) { return run->site().project.name; })
       .def_property_readonly("rocks", [](const Run& run) { return run->course().range.count(); })
       .def_property_readonly("done", [](const Run& run) { return run->rocks_done(); })
-      .def_property_readonly("seconds", [](const Run& run) { return run->course().seconds; })
-      .def_property_readonly("threads", [](const Run& run) { return run->course().threads; })
-      .def_property_readonly("crs_wkt", [](const Run& run) { return run->site().model.crs_wkt; })
-      .def_property_readonly("warnings", [](const Run& run) { return as_python(run->site().warnings); });
+      .def_property_readonly("crs_wkt", [](const Run& run) { return run->site().model.crs_wkt; });
   module.def("table_of_folder", &table_of_folder, py::arg("folder"), py::arg("name"));
-  module.def("envelopes_of_folder", [](const std::filesystem::path& folder) { return array_of(envelopes_of_folder(folder)); });
+  module.def("envelopes_of_folder",
+             [](const std::filesystem::path& folder) { return array_of(envelopes_of_folder(folder)); });
   module.def("maps_of_folder", &maps_of_folder, py::arg("folder"));
   module.def("map_of_folder", &map_of_folder, py::arg("folder"), py::arg("name"));
 }

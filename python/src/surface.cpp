@@ -36,8 +36,8 @@ py::array_t<double> elevation(const Model& built, const Numbers& x, const Number
 }
 
 /// Times (NaN: no contact), places and normals.
-py::tuple first_contact(const Model& built, const Numbers& position, const Numbers& velocity,
-                        const Numbers& radius, double gravity, double t_max) {
+py::tuple first_contact(const Model& built, const Numbers& position, const Numbers& velocity, const Numbers& radius,
+                        double gravity, double t_max) {
   const py::ssize_t count = radius.ndim() > 0 ? radius.shape(0) : 0;
   const VectorsIn p(position, count), v(velocity, count);
   const NumbersIn r(radius, count);
@@ -71,9 +71,8 @@ py::tuple bounds(const Model& built) {
 
 template <class Owner, class ModelOf>
 void bind_queries(py::module_& module, ModelOf model_of) {
-  module.def("elevation", [=](const Owner& owner, const Numbers& x, const Numbers& y) {
-    return elevation(model_of(owner), x, y);
-  });
+  module.def("elevation",
+             [=](const Owner& owner, const Numbers& x, const Numbers& y) { return elevation(model_of(owner), x, y); });
   module.def("first_contact", [=](const Owner& owner, const Numbers& position, const Numbers& velocity,
                                   const Numbers& radius, double gravity, double t_max) {
     return first_contact(model_of(owner), position, velocity, radius, gravity, t_max);

@@ -22,7 +22,8 @@ bool for_table(std::string_view name, Visit&& visit) {
       return true;
     };
     return (at(std::integral_constant<std::size_t, k>()) || ...);
-  }(std::make_index_sequence<table_names.size()>());
+  }
+  (std::make_index_sequence<table_names.size()>());
 }
 
 }  // namespace talus::python

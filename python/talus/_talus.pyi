@@ -35,7 +35,6 @@ class Model:
     warnings: list[Problem]
     rocks: int
     crs_wkt: str
-    reports: tuple[str, str]
 
 class Run:
     def table(self, name: str) -> Array: ...
@@ -44,13 +43,9 @@ class Run:
     def map_names(self) -> list[str]: ...
     def map(self, name: str) -> MapFacts | None: ...
     def save(self, folder: Path) -> None: ...
-    name: str
     rocks: int
     done: int
-    seconds: float
-    threads: int
     crs_wkt: str
-    warnings: list[Problem]
 
 class Trajectory:
     def at(self, time: Array) -> tuple[Array, Array, Array]: ...

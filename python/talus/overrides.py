@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from functools import lru_cache
 import json
-import re
 from typing import Any, Mapping
 
 from . import _talus
 from .problems import BadInput
-from .toml_text import inline_text, plain, string_text
+from .toml_text import inline_text, key_text, plain
 
 
 @lru_cache(maxsize=1)
@@ -34,9 +33,9 @@ def overrides(settings: Mapping[str, Any]) -> list[str]:
                 if not isinstance(values, dict):
                     raise BadInput(f'{name}.{row} is {values!r} (expected a table of settings). '
                                    f'For example {name}={{"{row}": {{...}}}}')
-                out += [f"{name}.{_part(row)}.{_part(key)}={inline_text(each)}" for key, each in values.items()]
+                out += [f"{name}.{key_text(row)}.{key_text(key)}={inline_text(each)}" for key, each in values.items()]
         else:
-            out += [f"{name}.{_part(key)}={inline_text(each)}" for key, each in value.items()]
+            out += [f"{name}.{key_text(key)}={inline_text(each)}" for key, each in value.items()]
     return out
 
 
@@ -49,7 +48,3 @@ def whole(name: str, value: Any, least: int = 0) -> int | None:
     if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
         raise BadInput(f"{name} is {value!r} (expected a whole number from {least})")
     return number
-
-
-def _part(name: str) -> str:
-    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else string_text(name)

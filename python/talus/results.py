@@ -51,7 +51,7 @@ class Results:
     writes (:func:`columns`). Cells that are empty there are NaN, or -1 for whole numbers.
     """
 
-    def __init__(self, source: Any) -> None:
+    def __init__(self, source: _talus.Run | _InFolder) -> None:
         self._source = source
         self._summary: dict[str, Any] | None = None
         self._made: dict[str, np.ndarray] = {}
@@ -118,7 +118,7 @@ class Results:
     @property
     def surface(self) -> Surface | None:
         """The terrain of a run in memory; None of a folder."""
-        return Surface(self._source.core) if hasattr(self._source, "core") else None
+        return Surface(self._source) if isinstance(self._source, _talus.Run) else None
 
     @property
     def project(self) -> Project:
@@ -133,12 +133,12 @@ class Results:
     @property
     def rocks(self) -> int:
         """The number of rocks of the run."""
-        return self._source.counts()[0]
+        return self._source.rocks
 
     @property
     def rocks_done(self) -> int:
         """The number of rocks simulated: fewer if the run was stopped."""
-        return self._source.counts()[1]
+        return self._source.done
 
     @property
     def is_complete(self) -> bool:
@@ -165,7 +165,7 @@ class Results:
 
 
 class _Maps(Mapping[str, Map]):
-    def __init__(self, source: Any) -> None:
+    def __init__(self, source: _talus.Run | _InFolder) -> None:
         self._source = source
         self._names = source.map_names()
 
@@ -174,7 +174,7 @@ class _Maps(Mapping[str, Map]):
         found = self._source.map(full) if full else None
         if found is None:
             raise KeyError(f"there is no map {name!r}; there are {', '.join(self._names) or 'none'}")
-        return Map._of(full, found, self._source.crs_wkt())
+        return Map._of(full, found, self._source.crs_wkt)
 
     def _full_name(self, name: str) -> str | None:
         name = name.replace("kinetic_energy_", "energy_total_")
@@ -197,7 +197,7 @@ class _Maps(Mapping[str, Map]):
 
 
 class _InFolder:
-    """The results in a folder, for Results. Files are read when they are asked for."""
+    """The results in a folder, in place of a run in memory. Files are read when they are asked for."""
 
     def __init__(self, folder: str) -> None:
         self.folder = folder
@@ -227,12 +227,17 @@ class _InFolder:
     def map(self, name: str) -> Any:
         return _talus.map_of_folder(self.folder, name)
 
+    @property
     def crs_wkt(self) -> str:
         return json.loads(self.text).get("terrain", {}).get("crs_wkt", "")
 
-    def counts(self) -> tuple[int, int]:
-        rocks = json.loads(self.text)["rocks"]
-        return rocks["planned"], rocks["done"]
+    @property
+    def rocks(self) -> int:
+        return json.loads(self.text)["rocks"]["planned"]
+
+    @property
+    def done(self) -> int:
+        return json.loads(self.text)["rocks"]["done"]
 
     def save(self, folder: str) -> None:
         raise BadInput(f"{self.folder}: these results are in a folder already. Copy it")

@@ -64,7 +64,7 @@ class Model:
         """
         core, stopped_by = self._core.run(overrides(settings), whole("rocks", rocks, 1), whole("seed", seed), _thread_count(threads),
                                            _progress(progress))
-        result = Results(_InMemory(core))
+        result = Results(core)
         if isinstance(stopped_by, KeyboardInterrupt):
             raise Interrupted(result) from None
         if stopped_by is not None:
@@ -136,34 +136,3 @@ def _progress(progress: Progress | bool | None) -> Progress | None:
 
 def _print_progress(done: int, planned: int) -> None:
     print(f"\r{done} of {planned} rocks", end="\n" if done == planned else "", file=sys.stderr, flush=True)
-
-
-class _InMemory:
-    """The results of a run in memory, for Results."""
-
-    def __init__(self, core: Any) -> None:
-        self.core = core
-
-    def table(self, name: str) -> Any:
-        return self.core.table(name)
-
-    def envelopes(self) -> Any:
-        return self.core.envelopes()
-
-    def summary_text(self) -> str:
-        return self.core.summary_text()
-
-    def map_names(self) -> list[str]:
-        return self.core.map_names()
-
-    def map(self, name: str) -> Any:
-        return self.core.map(name)
-
-    def crs_wkt(self) -> str:
-        return self.core.crs_wkt
-
-    def counts(self) -> tuple[int, int]:
-        return self.core.rocks, self.core.done
-
-    def save(self, folder: str) -> None:
-        self.core.save(folder)

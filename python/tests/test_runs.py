@@ -38,7 +38,7 @@ def test_a_run_has_its_tables(slope):
 def test_tables_are_not_copied_and_outlive_their_results(slope):
     result = talus.run(slope)
     ends = result.end_points
-    assert ends.ctypes.data == result._source.core.table("end_points").ctypes.data
+    assert ends.ctypes.data == result._source.table("end_points").ctypes.data
     mean = ends["runout_xy_m"].mean()
     del result
     assert ends["runout_xy_m"].mean() == mean

@@ -1,7 +1,7 @@
 // Study files: what is read, and the exact text of what is refused.
 
-#include "support/places.hpp"
 #include "talus/calibration/study.hpp"
+#include "support/places.hpp"
 
 #include <gtest/gtest.h>
 

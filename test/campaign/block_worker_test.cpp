@@ -1,5 +1,5 @@
-#include "support/places.hpp"
 #include "talus/campaign/block_worker.hpp"
+#include "support/places.hpp"
 
 #include <gtest/gtest.h>
 

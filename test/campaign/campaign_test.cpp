@@ -1,7 +1,7 @@
 // Results do not depend on threads, on blocks, or on the order of rocks; a campaign can be stopped.
 
-#include "support/places.hpp"
 #include "talus/campaign/campaign.hpp"
+#include "support/places.hpp"
 
 #include <gtest/gtest.h>
 

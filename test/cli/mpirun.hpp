@@ -23,7 +23,8 @@ inline std::vector<std::string> environment_of_mpi() {
   return {"ASAN_OPTIONS=fast_unwind_on_malloc=0:malloc_context_size=50",
           "LSAN_OPTIONS=print_suppressions=0:suppressions=" + talus::places::in_source("/cmake/asan/suppressions")};
 #elif defined(__SANITIZE_THREAD__)
-  return {"TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=" + talus::places::in_source("/cmake/tsan/suppressions")};
+  return {"TSAN_OPTIONS=ignore_noninstrumented_modules=1:suppressions=" +
+          talus::places::in_source("/cmake/tsan/suppressions")};
 #else
   return {};
 #endif

@@ -225,7 +225,8 @@ done
 printf '%s\n' "$@" > )" + (work / "words").string() +
                                                  "\n");
   const std::string name = (work / "a; touch b & $(touch c).pdf").string();
-  const Said said = says("CHROME=" + browser + " " + talus::places::program + " report " + out() + " --pdf '" + name + "'");
+  const Said said =
+      says("CHROME=" + browser + " " + talus::places::program + " report " + out() + " --pdf '" + name + "'");
   EXPECT_EQ(said.exit_code, 2) << said.text;
   EXPECT_THAT(said.text, HasSubstr("did not print the report"));
   EXPECT_THAT(names(), ElementsAre("browser", "logo.png", "out", "slope.toml", "words"));

@@ -48,7 +48,8 @@ TEST_F(SectionFile, TextHasDistanceAndHeight) {
 TEST_F(SectionFile, PointsInSpaceGiveTheSectionAlongThem) {
   EXPECT_THAT(read_text("x,y,z\n100,200,10\n103,204,7\n103,209,7.5\n"),
               ElementsAre(Place{0, 10}, Place{5, 7}, Place{10, 7.5}));
-  EXPECT_THAT(read_text("100 200 10\n103 204 7\n103 209 7.5\n"), ElementsAre(Place{0, 10}, Place{5, 7}, Place{10, 7.5}));
+  EXPECT_THAT(read_text("100 200 10\n103 204 7\n103 209 7.5\n"),
+              ElementsAre(Place{0, 10}, Place{5, 7}, Place{10, 7.5}));
 }
 
 TEST_F(SectionFile, LeavesOutRepeatedVerticesAndThoseWithinTheTolerance) {
@@ -100,8 +101,7 @@ TEST_F(SectionFile, ALineInSpaceGivesTheSectionAlongItself) {
 }
 
 TEST_F(SectionFile, ALineOnPlanIsRefused) {
-  add_layer(path("line.gpkg"), "line", "EPSG:31287", "name",
-            {{"LINESTRING (400000 300000, 400030 300040)", ""}});
+  add_layer(path("line.gpkg"), "line", "EPSG:31287", "name", {{"LINESTRING (400000 300000, 400030 300040)", ""}});
   EXPECT_THAT(refusal("line.gpkg"), HasSubstr("has a line without heights"));
 }
 

@@ -21,8 +21,9 @@ class CutSection : public InputFolder {
  protected:
   /// Two planes that meet at x = 100 in a ridge along y.
   [[nodiscard]] project::BuiltTerrain roof() {
-    write("roof.obj", "v 0 0 50\nv 100 0 90\nv 100 200 90\nv 0 200 50\nv 160 0 60\nv 160 200 60\n"
-                      "f 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n");
+    write("roof.obj",
+          "v 0 0 50\nv 100 0 90\nv 100 200 90\nv 0 200 50\nv 160 0 60\nv 160 200 60\n"
+          "f 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n");
     project::Project project;
     project.file = path("roof.obj");
     project.terrain.meshes = {"roof.obj"};
@@ -56,15 +57,19 @@ TEST_F(CutSection, IsReadBackFromItsTable) {
 }
 
 TEST_F(CutSection, RefusesLinesBeyondTheGround) {
-  EXPECT_THAT(refusal_of([&] { static_cast<void>(cut({{10, 20}, {300, 20}}, 0)); }),
+  EXPECT_THAT(refusal_of([&] {
+                static_cast<void>(cut({{10, 20}, {300, 20}}, 0));
+              }),
               HasSubstr("--line: the line leaves the ground (there is none beyond 150 m along the line)"));
-  EXPECT_THAT(refusal_of([&] { static_cast<void>(cut({{500, 20}, {600, 20}}, 0)); }),
+  EXPECT_THAT(refusal_of([&] {
+                static_cast<void>(cut({{500, 20}, {600, 20}}, 0));
+              }),
               HasSubstr("the line leaves the ground (there is none beyond 0 m along the line)"));
   EXPECT_THAT(refusal_of([&] { static_cast<void>(cut({{10, 20}, {10, 20}}, 0)); }), HasSubstr("has no length"));
 }
 
 TEST(SimplifiedLine, KeepsTheEndsAndWhatIsFartherThanTheTolerance) {
-  const std::vector<Corner> line{{0, 0}, {1, 0.4}, {2, 0}, {3, 2}, {4, 0}};
+  const std::vector<Vec2> line{{0, 0}, {1, 0.4}, {2, 0}, {3, 2}, {4, 0}};
   EXPECT_THAT(vertices_to_keep(line, 0.5), ElementsAre(0U, 2U, 3U, 4U));
   EXPECT_THAT(vertices_to_keep(line, 0.1), ElementsAre(0U, 1U, 2U, 3U, 4U));
   EXPECT_THAT(vertices_to_keep(line, 5), ElementsAre(0U, 4U));
@@ -79,8 +84,8 @@ class SectionOfProject : public testing_tools::InputFolder {
  protected:
   [[nodiscard]] Reading read(const std::string& terrain, const std::string& position = "[2, \"surface\"]") {
     write("slope.toml", "[terrain]\n" + terrain +
-                            "\n[[material]]\nname = \"Scree\"\n[[seeder]]\ntype = \"point\"\nposition = " +
-                            position + "\nrocks = 5\nmass_kg = 100\n");
+                            "\n[[material]]\nname = \"Scree\"\n[[seeder]]\ntype = \"point\"\nposition = " + position +
+                            "\nrocks = 5\nmass_kg = 100\n");
     return read_project(path("slope.toml"), {});
   }
 };
@@ -95,12 +100,14 @@ TEST_F(SectionOfProject, IsThatOfItsFile) {
 }
 
 TEST_F(SectionOfProject, ProblemsOfTheFileStandAtTheLineThatNamesIt) {
-  const auto refusal = [&](const std::string& terrain) { return refusal_of([&] { static_cast<void>(read(terrain)); }); };
+  const auto refusal = [&](const std::string& terrain) {
+    return refusal_of([&] { static_cast<void>(read(terrain)); });
+  };
   write("profile.csv", "distance_m,z_m\n0,30\n10,low\n");
   EXPECT_THAT(refusal("section = \"profile.csv\""),
               HasSubstr("slope.toml:2: [terrain]: section profile.csv:3: \"low\" is not a number"));
   EXPECT_THAT(refusal("section = \"other.csv\""), HasSubstr("slope.toml:2: [terrain]: section other.csv: cannot be "
-                                                             "read (there is no such file)"));
+                                                            "read (there is no such file)"));
   write("profile.csv", "distance_m,z_m\n0,30\n10,12\n5,20\n10,25\n2,10\n");
   EXPECT_THAT(refusal("section = \"profile.csv\""), HasSubstr("section crosses or touches itself"));
   EXPECT_THAT(refusal("section = 3"), HasSubstr("a list of vertices [x, z], or a file name in quotes"));

@@ -13,7 +13,7 @@
 namespace talus::project {
 namespace {
 
-const std::string slope = R"(
+const std::string shared_slope = R"(
 [terrain]
 section = [[0, 0], [10, -10], [20, -10]]
 [[material]]
@@ -28,13 +28,15 @@ line = 15
 height_m = 2
 )";
 
-Project with(const std::string& setting) { return read_project_text(slope, "slope.toml", {.settings = {setting}}).project; }
+Project with(const std::string& setting) {
+  return read_project_text(shared_slope, "slope.toml", {.settings = {setting}}).project;
+}
 
 std::string fingerprint(const Project& project, const Model& model) { return fingerprint_of(echo(project), model); }
 
 TEST(SharedTerrain, IsThatOfAllModels) {
   Problems warnings;
-  const Project first = read_project_text(slope, "slope.toml").project, other = with("seeder.Crest.position=[2, 5]");
+  const Project first = read_project_text(shared_slope, "slope.toml").project, other = with("seeder.Crest.position=[2, 5]");
   const BuiltTerrain terrain = read_terrain(first, warnings);
   const Model here = build_model(first, terrain, warnings), there = build_model(other, terrain, warnings);
   EXPECT_EQ(&*here.surface, &*there.surface);
@@ -46,7 +48,7 @@ TEST(SharedTerrain, IsThatOfAllModels) {
 // A copy that gets these settings is the model that would be built with them.
 TEST(SharedTerrain, IsKeptForSettingsOfNumbers) {
   Problems warnings;
-  const Model model = build_model(read_project_text(slope, "slope.toml").project, warnings);
+  const Model model = build_model(read_project_text(shared_slope, "slope.toml").project, warnings);
   for (const std::string setting : {"material.Rock.roughness_deg=3", "analysis.model=rigid_sphere",
                                     "seeder.Crest.mass_kg=200", "barrier.0.capacity_kJ=50", "output.maps=false"}) {
     EXPECT_TRUE(needs_no_terrain(setting.substr(0, setting.find('='))));
@@ -61,9 +63,9 @@ TEST(SharedTerrain, IsKeptForSettingsOfNumbers) {
 }
 
 TEST(SharedTerrain, IsNotKeptForPlaces) {
-  for (const char* path : {"terrain.section", "seeder.Crest.position", "seeder.Crest.rocks", "barrier.0.line", "material",
-                           "barrier.0.height_m", "material.Rock.name", "analysis.energy_datum_m", "output.runout_from",
-                           "sampling.seed", "material.Rock.hardness", "name", "", "seeder.Crest"})
+  for (const char* path : {"terrain.section", "seeder.Crest.position", "seeder.Crest.rocks", "barrier.0.line",
+                           "material", "barrier.0.height_m", "material.Rock.name", "analysis.energy_datum_m",
+                           "output.runout_from", "sampling.seed", "material.Rock.hardness", "name", "", "seeder.Crest"})
     EXPECT_FALSE(needs_no_terrain(path)) << path;
 }
 

@@ -58,7 +58,9 @@ default = "Rock"
     {"SectionVertexNotANumber",
      {{"[20, -10]]", "[20, nan]]"}},
      "slope.toml:7: [terrain]: section[2][1] is nan (expected a finite number)"},
-    {"SectionIsNotAList", {{section, "section = 5"}}, "slope.toml:7: [terrain]: section is 5 (expected a list of vertices [x, z], or "
+    {"SectionIsNotAList",
+     {{section, "section = 5"}},
+     "slope.toml:7: [terrain]: section is 5 (expected a list of vertices [x, z], or "
      "a file name in quotes)"},
     {"NegativeWidth",
      {{section,

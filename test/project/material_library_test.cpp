@@ -1,5 +1,5 @@
-#include "support/places.hpp"
 #include "talus/project/material_library.hpp"
+#include "support/places.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -354,8 +354,9 @@ mass_kg = 10
                      drawing.string());
 }();
 
-inline const std::vector<const char*> samples{survey,    inline_polylines, polygon_file, in_2d,    inline_mesh,
-                                              mesh_file, raster_file,      from_gis,     extruded, section_file.c_str()};
+inline const std::vector<const char*> samples{survey,      inline_polylines,    polygon_file, in_2d,
+                                              inline_mesh, mesh_file,           raster_file,  from_gis,
+                                              extruded,    section_file.c_str()};
 
 inline nlohmann::ordered_json as_json(const char* toml_text) {
   const toml::table parsed = toml::parse(std::string_view(toml_text));

@@ -1,8 +1,8 @@
 // The JSON Schema, the reference page and the TypeScript module, which are generated from the declaration of the
 // settings.
 
-#include "support/places.hpp"
 #include "talus/project/schema.hpp"
+#include "support/places.hpp"
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,9 @@ class ServedCalibrations : public ServedRuns {
     write("slope.toml", project_);
     write("stops.csv", text_of(example("stops.csv")));
   }
-  static std::string example(const std::string& file) { return talus::places::in_source("/examples/calibration/") + file; }
+  static std::string example(const std::string& file) {
+    return talus::places::in_source("/examples/calibration/") + file;
+  }
   static std::string study(const std::string& parameters = "") {
     return "rocks = 40\ndraws = 60\nrounds = 2\n[[site]]\nproject = \"slope.toml\"\n"
            "[[observations]]\nstops = \"stops.csv\"\n"

@@ -1,5 +1,5 @@
-#include "support/places.hpp"
 #include "talus/verification/case.hpp"
+#include "support/places.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
-#include "support/places.hpp"
 #include "talus/verification/sampling_spread.hpp"
+#include "support/places.hpp"
 
 #include <gtest/gtest.h>
 

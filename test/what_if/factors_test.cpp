@@ -63,7 +63,8 @@ TEST(Factors, AreThoseThatTheProjectHas) {
   Problems warnings;
   const auto variations = variations_of(read(slope), {}, "--step", warnings);
   EXPECT_EQ(warnings.text(), "");
-  EXPECT_EQ(listed(variations), R"(normal_restitution -10 %: Rock {mean 0.96, std_dev 0.04} to {mean 0.864, std_dev 0.04}; Wood 0.3 to 0.27
+  EXPECT_EQ(listed(variations),
+            R"(normal_restitution -10 %: Rock {mean 0.96, std_dev 0.04} to {mean 0.864, std_dev 0.04}; Wood 0.3 to 0.27
 normal_restitution +10 %: Rock {mean 0.96, std_dev 0.04} to {mean 1, std_dev 0.04}; Wood 0.3 to 0.33 (clipped: normal_restitution of Rock at 1)
 tangential_restitution -10 %: Rock 0.8 to 0.72; Wood 0.9 to 0.81
 tangential_restitution +10 %: Rock 0.8 to 0.88; Wood 0.9 to 0.99

@@ -268,9 +268,7 @@ TEST(WhatIf, VariesEachEnsembleFromItsOwnValues) {
   ASSERT_EQ(models.size(), 2u);
   ASSERT_EQ(models[1].ensembles.size(), 2u);
   for (std::size_t k = 0; k < 2; ++k) {
-    const auto median = [&](const Model& of) {
-      return of.ground.materials().front().tangential_restitution.draw(0.5);
-    };
+    const auto median = [&](const Model& of) { return of.ground.materials().front().tangential_restitution.draw(0.5); };
     EXPECT_NEAR(median(models[1].ensembles[k]), 1.1 * median(models[0].ensembles[k]), 1e-9);
   }
 }

@@ -21,9 +21,9 @@ struct GdalFormat {
 [[nodiscard]] std::string names_of_formats(GdalKind kind);
 
 /// Must be called before GDAL is used; later calls do nothing. Registers only the drivers of the formats above and the
-/// those that write maps (COG) or rasters in memory (MEM), whatever plugins and settings the machine has. Descriptions of data elsewhere (WMS, WFS,
-/// OGR's virtual layers, databases) are not read, not even if another file refers to them. GDAL and PROJ do not use the
-/// network.
+/// those that write maps (COG) or rasters in memory (MEM), whatever plugins and settings the machine has. Descriptions
+/// of data elsewhere (WMS, WFS, OGR's virtual layers, databases) are not read, not even if another file refers to them.
+/// GDAL and PROJ do not use the network.
 void start_gdal();
 
 /// GDAL is shared with other code of this process, as in an interpreter of Python: its files and networks stay open to

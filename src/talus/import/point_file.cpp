@@ -97,8 +97,9 @@ std::optional<ColumnMeaning> meaning_of(std::string_view name) {
 // "distance_m", "Station": where a point of a section is along it.
 bool means_distance(std::string_view name) {
   const std::string plain = plain_column_name(name);
-  return std::ranges::any_of(std::array<std::string_view, 3>{"distance", "station", "chainage"},
-                             [&](std::string_view word) { return plain == word || plain == fmt::format("{}_m", word); });
+  return std::ranges::any_of(
+      std::array<std::string_view, 3>{"distance", "station", "chainage"},
+      [&](std::string_view word) { return plain == word || plain == fmt::format("{}_m", word); });
 }
 
 bool means_degrees(std::string_view name) {

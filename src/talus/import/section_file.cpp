@@ -59,7 +59,7 @@ SectionVertices section_of_line(const SectionSource& source, Problems& warnings)
   for (const VectorFeature& feature : layer.features) parts += feature.parts.size();
   if (parts > 1) {
     refuse_section(source, fmt::format("has {} lines", parts), "a section is one line",
-         "Put it on a layer of its own, and name that: section_layer = \"...\"");
+                   "Put it on a layer of its own, and name that: section_layer = \"...\"");
   }
   const VectorFeature& feature = layer.features.front();
   const std::vector<Vec3>& line = feature.parts.front().lists.front();
@@ -67,14 +67,16 @@ SectionVertices section_of_line(const SectionSource& source, Problems& warnings)
   if (feature.has_z && !std::ranges::all_of(line, is_level)) return section_along_line(line);
   if (!layer.crs_wkt.empty()) {
     refuse_section(source, "has a line without heights", fmt::format("it lies on plan, in {}", layer.crs_name),
-         "Cut the section from a terrain along it: talus section DEM --line FILE");
+                   "Cut the section from a terrain along it: talus section DEM --line FILE");
   }
   return drawn_section(line);
 }
 
 SectionVertices simplified_section(const SectionVertices& section, double tolerance) {
+  std::vector<Vec2> line;
+  for (const auto& [x, z] : section) line.emplace_back(x, z);
   SectionVertices out;
-  for (const std::size_t k : vertices_to_keep(section, tolerance)) out.push_back(section[k]);
+  for (const std::size_t k : vertices_to_keep(line, tolerance)) out.push_back(section[k]);
   return out;
 }
 

@@ -4,31 +4,22 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/linestring.hpp>
-#include <boost/geometry/geometries/point_xy.hpp>
 #include <cctype>
 #include <limits>
 #include <unordered_map>
 
 #include "talus/core/stop.hpp"
+#include "talus/meshing/simplified_line.hpp"
 
 namespace talus {
 
 namespace {
 
-using PlanLine = boost::geometry::model::linestring<boost::geometry::model::d2::point_xy<double>>;
-
 constexpr double finest = 1e-5, coarsest = 2e-3;  // tolerances, as shares of the terrain's size
 
 std::vector<Vec2> simplified(const std::vector<Vec2>& line, double tolerance) {
-  PlanLine given, made;
-  given.reserve(line.size());
-  for (const Vec2& p : line) given.emplace_back(p.x(), p.y());
-  boost::geometry::simplify(given, made, tolerance);
   std::vector<Vec2> points;
-  points.reserve(made.size());
-  for (const auto& p : made) points.emplace_back(p.x(), p.y());
+  for (const std::size_t k : vertices_to_keep(line, tolerance)) points.push_back(line[k]);
   return points;
 }
 

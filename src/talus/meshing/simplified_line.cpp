@@ -21,9 +21,9 @@ BOOST_GEOMETRY_REGISTER_POINT_2D(talus::NumberedVertex, double, boost::geometry:
 
 namespace talus {
 
-std::vector<std::size_t> vertices_to_keep(const std::vector<std::array<double, 2>>& line, double tolerance) {
+std::vector<std::size_t> vertices_to_keep(std::span<const Vec2> line, double tolerance) {
   boost::geometry::model::linestring<NumberedVertex> given, made;
-  for (const auto& [x, y] : line) given.push_back({x, y, given.size()});
+  for (const Vec2& p : line) given.push_back({p.x(), p.y(), given.size()});
   boost::geometry::simplify(given, made, tolerance);
   std::vector<std::size_t> kept;
   for (const NumberedVertex& vertex : made) kept.push_back(vertex.number);

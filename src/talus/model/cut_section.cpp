@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t most_vertices = 1'000'000;
 
 [[noreturn]] void refuse_cut(std::string_view where, std::string what, std::string why, std::string hint) {
-  throw BadInput(Problem{
-      .where = std::string(where), .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
+  throw BadInput(
+      Problem{.where = std::string(where), .what = std::move(what), .why = std::move(why), .hint = std::move(hint)});
 }
 
 std::vector<SectionPoint> ground_along(const ModelSurface& surface, std::span<const Vec2> line,
@@ -53,8 +53,8 @@ std::vector<SectionVertex> cut_section(const ModelSurface& surface, const LocalF
     refuse_cut(where, "the section is too large", fmt::format("it has more than {} bends", most_vertices),
                "Cut it into parts");
   }
-  std::vector<std::array<double, 2>> drawn;
-  for (const SectionPoint& point : ground) drawn.push_back({point.distance, *point.z});
+  std::vector<Vec2> drawn;
+  for (const SectionPoint& point : ground) drawn.emplace_back(point.distance, *point.z);
   std::vector<SectionVertex> section;
   for (const std::size_t k : vertices_to_keep(drawn, tolerance)) {
     const SectionPoint& point = ground[k];
@@ -64,7 +64,7 @@ std::vector<SectionVertex> cut_section(const ModelSurface& surface, const LocalF
 }
 
 std::string section_table(std::span<const SectionVertex> section) {
-  std::string table = "distance_m,z_m,x_m,y_m\n";
+  std::string table(section_header);
   for (const SectionVertex& vertex : section) {
     table += fmt::format("{:.4f},{:.4f},{:.4f},{:.4f}\n", vertex.distance, vertex.place.z(), vertex.place.x(),
                          vertex.place.y());

@@ -24,7 +24,8 @@ struct SectionVertex {
                                                      std::span<const std::array<double, 2>> line, double tolerance,
                                                      std::string_view where);
 
-/// A table with the columns distance_m, z_m, x_m and y_m, which a project can name as its section.
+inline constexpr std::string_view section_header = "distance_m,z_m,x_m,y_m\n";
+/// A table with these columns, which a project can name as its section.
 [[nodiscard]] std::string section_table(std::span<const SectionVertex> section);
 
 }  // namespace talus

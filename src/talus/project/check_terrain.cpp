@@ -68,7 +68,8 @@ void TerrainRules::check_section(Node section) const {
   if (is_in_file && vertices.empty()) return;  // it could not be read
   for (const std::string_view key : {"section_layer", "section_tolerance_m"}) {
     const Node only_of_file = is_in_file ? nullptr : accepted(key);
-    if (only_of_file) refuse(only_of_file, fmt::format("{} is given", key), "the section is not in a file", "Leave it out");
+    if (only_of_file)
+      refuse(only_of_file, fmt::format("{} is given", key), "the section is not in a file", "Leave it out");
   }
   if (vertices.size() < 2) {
     refuse(section, fmt::format("section has {}", counted(vertices.size(), "vertex", "vertices")),
@@ -82,8 +83,7 @@ void TerrainRules::check_section(Node section) const {
       refuse(node, fmt::format("section[{}] is {}", i, vertex),
              fmt::format("coordinates lie within {:g} m", largest_coordinate_m));
     } else if (i > 0 && vertices[i] == vertices[i - 1]) {
-      refuse(node, fmt::format("section[{}] is {}", i, vertex), "it repeats the previous vertex",
-             "Leave it out");
+      refuse(node, fmt::format("section[{}] is {}", i, vertex), "it repeats the previous vertex", "Leave it out");
     } else {
       continue;
     }

@@ -128,7 +128,8 @@ bool needs_no_terrain(std::string_view path) {
   const std::size_t at = owner.repeated ? 2 : 1;
   if (parts->size() <= at) return false;
   const Setting* setting = owner.find((*parts)[at]);
-  if (setting == nullptr || std::ranges::find(fixed_settings, fmt::format("{}.{}", owner.key, setting->key)) != fixed_settings.end())
+  if (setting == nullptr ||
+      std::ranges::find(fixed_settings, fmt::format("{}.{}", owner.key, setting->key)) != fixed_settings.end())
     return false;
   if (owner.key == "material") return setting->key != "name";
   if (owner.key == "analysis") return true;

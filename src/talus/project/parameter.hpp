@@ -41,8 +41,8 @@ class Prior {
 };
 
 /// Whether a setting, by its path, is no part of a model, or one that set_properties() (model/model.hpp) takes from the
-/// project's numbers and words: a model on the same terrain, with the same places, can get another value. False for what
-/// is no setting.
+/// project's numbers and words: a model on the same terrain, with the same places, can get another value. False for
+/// what is no setting.
 [[nodiscard]] bool needs_no_terrain(std::string_view path);
 
 /// A number of a project, found by its path.

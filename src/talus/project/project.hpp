@@ -66,8 +66,8 @@ enum class UpAxis { z, y };
 /// (points, lines or both: files), polylines (inline) and polygons (a file). Paths are as written in the file; relative
 /// to the project file.
 struct Terrain {
-  std::vector<std::array<double, 2>> section;            // x, z; those of the file, if there is one
-  std::filesystem::path section_file;                    // key `section`; as written; relative to the project file
+  std::vector<std::array<double, 2>> section;  // x, z; those of the file, if there is one
+  std::filesystem::path section_file;          // key `section`; as written; relative to the project file
   std::string section_layer;
   std::optional<double> section_tolerance_m;
   std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one pair per vertex, or empty; 2D only

@@ -21,7 +21,8 @@ struct Overrides {
   /// Total number of rocks. Several seeders share it in proportion to their numbers in the file; a share may be 0.
   std::optional<std::int64_t> rocks;
   std::optional<std::uint64_t> seed;
-  /// The settings of [design] are for a line that is asked of a finished run, so that the project needs none of its own.
+  /// The settings of [design] are for a line that is asked of a finished run, so that the project needs none of its
+  /// own.
   bool asks_a_line = false;
 };
 

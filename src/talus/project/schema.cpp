@@ -104,7 +104,9 @@ struct Typed {
     return {{"anyOf", Json::array({tuple_of(number(), 2, 3), Json{{"const", "downslope"}}})}};
   }
   Json operator()(LimitSlot) const { return {{"anyOf", Json::array({Json{{"enum", {"all", "none"}}}, whole()})}}; }
-  Json operator()(SectionSlot slot) const { return {{"anyOf", Json::array({(*this)(slot.vertices), (*this)(slot.file)})}}; }
+  Json operator()(SectionSlot slot) const {
+    return {{"anyOf", Json::array({(*this)(slot.vertices), (*this)(slot.file)})}};
+  }
   Json operator()(FilesSlot) const {
     Json file = (*this)(static_cast<const std::filesystem::path*>(nullptr));
     return {{"anyOf", Json::array({file, list_of(file, 1)})}};

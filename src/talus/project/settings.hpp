@@ -86,15 +86,15 @@ template <class Enumerations>
 struct SlotWith;
 template <class... Listed>
 struct SlotWith<const std::tuple<Listed...>> {
-  using Type = std::variant<
-      bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*, std::uint64_t*, std::string*,
-      std::filesystem::path*, std::array<double, 3>*, Distribution*, std::optional<Distribution>*,
-      std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
-      std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
-      std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
-      std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*..., PositionSlot, PointsSlot,
-      PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot, DirectionSlot, LimitSlot, MapCellSlot, SectionSlot,
-      FilesSlot>;
+  using Type = std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*,
+                            std::uint64_t*, std::string*, std::filesystem::path*, std::array<double, 3>*, Distribution*,
+                            std::optional<Distribution>*, std::vector<std::array<double, 2>>*,
+                            std::vector<std::array<double, 3>>*, std::vector<std::array<std::int64_t, 3>>*,
+                            std::vector<std::vector<std::array<double, 3>>>*, std::vector<std::string>*,
+                            std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
+                            std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*...,
+                            PositionSlot, PointsSlot, PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot,
+                            DirectionSlot, LimitSlot, MapCellSlot, SectionSlot, FilesSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.

@@ -6,6 +6,12 @@ namespace talus {
 
 namespace {
 
+/// The parabola of a part; its duration is more than 0.
+Parabola parabola_between(const Motion& from, const Motion& to, double duration) {
+  const Vec3 acceleration = (to.velocity - from.velocity) / duration;
+  return {from.position, (to.position - from.position) / duration - 0.5 * duration * acceleration, acceleration};
+}
+
 /// One part between two motions of a list, held against the motions between.
 class Trial {
  public:
@@ -14,8 +20,7 @@ class Trial {
     const Motion &from = motions[first], &to = motions[last];
     duration_ = to.time - from.time;
     if (!(duration_ > 0)) return;
-    acceleration_ = (to.velocity - from.velocity) / duration_;
-    velocity_ = (to.position - from.position) / duration_ - 0.5 * duration_ * acceleration_;
+    path_ = parabola_between(from, to, duration_);
     spin_rate_ = (to.spin - from.spin) / duration_;
     constexpr double share = StoreTolerance::velocity * StoreTolerance::velocity;
     most_velocity_ = share * std::max(from.velocity.squaredNorm(), to.velocity.squaredNorm());
@@ -41,16 +46,16 @@ class Trial {
     constexpr double nearest = StoreTolerance::position - 2 * StoreStep::place;  // its ends are rounded
     const Motion &from = motions_[first_], &motion = motions_[k];
     const double s = motion.time - from.time;
-    const Vec3 place = from.position + s * (velocity_ + 0.5 * s * acceleration_);
-    return (from.velocity + s * acceleration_ - motion.velocity).squaredNorm() <= most_velocity_ &&
-           (place - motion.position).squaredNorm() <= nearest * nearest &&
+    return (from.velocity + s * path_.a - motion.velocity).squaredNorm() <= most_velocity_ &&
+           (path_.at(s) - motion.position).squaredNorm() <= nearest * nearest &&
            (from.spin + s * spin_rate_ - motion.spin).squaredNorm() <= most_spin_;
   }
 
   const std::vector<Motion>& motions_;
   std::size_t first_, last_;
   double duration_, most_velocity_ = 0, most_spin_ = 0;
-  Vec3 velocity_ = Vec3::Zero(), acceleration_ = Vec3::Zero(), spin_rate_ = Vec3::Zero();
+  Parabola path_;  // if there is a duration
+  Vec3 spin_rate_ = Vec3::Zero();
 };
 
 /// The largest number from `good` on, below `bad`, that passes; between two that pass all others do.
@@ -89,11 +94,8 @@ PathPiece ground_part(const Motion& from, const Motion& to) {
   part.spin = from.spin;
   part.on_ground = true;
   part.ends = {from.velocity, to.velocity, to.spin};
-  part.path = {from.position, Vec3::Zero(), Vec3::Zero()};
-  if (part.duration > 0) {
-    part.path.a = (to.velocity - from.velocity) / part.duration;
-    part.path.v = (to.position - from.position) / part.duration - 0.5 * part.duration * part.path.a;
-  }
+  part.path = part.duration > 0 ? parabola_between(from, to, part.duration)
+                                : Parabola{from.position, Vec3::Zero(), Vec3::Zero()};
   return part;
 }
 

@@ -76,8 +76,8 @@ struct Variation {
 [[nodiscard]] Variation vary(const project::Project& project, std::size_t kind, double factor,
                              const std::string& material);
 
-/// The factors that the project has, by their place in factor_kinds, in its order. `material`: as in FactorChoice. Throws
-/// BadInput if there is no such material, which `where` names.
+/// The factors that the project has, by their place in factor_kinds, in its order. `material`: as in FactorChoice.
+/// Throws BadInput if there is no such material, which `where` names.
 [[nodiscard]] std::vector<std::size_t> kinds_of(const project::Project& project, const std::string& material,
                                                 std::string_view where);
 

@@ -32,6 +32,21 @@ height_above_m = 1
 mass_kg = 100
 `;
 
+test('the vertices of a section in a file come into the project', async ({ workbench: page, server }) => {
+  server.write('profile.csv', 'distance_m,z_m\n0,30\n10,20.004\n20,10\n40,0\n');
+  const inFile = slope.replace(/section = .*\nsection_std_dev_m = .*\n/, 'section = "profile.csv"\nsection_tolerance_m = 0.01\n');
+  server.write('slope.toml', inFile.replace('["Rock", "Scree", "Soil"]', '["Rock", "Scree"]'));
+  await page.reload();
+  await openProject(page, 'slope.toml');
+  await openForm(page, /Terrain/);
+  await expect(page.locator('.file-control select')).toHaveValue('profile.csv');
+  await page.getByRole('button', { name: 'Take the vertices into the project' }).click();
+  const text = await projectText(page);
+  expect(text).toContain('section = [[0, 30], [20, 10], [40, 0]]');
+  expect(text).not.toContain('section_tolerance_m');
+  await expect(page.getByText(/\d errors?/)).toHaveCount(0);
+});
+
 async function openSlope(page: Page, write: (name: string, content: string) => void, text: string) {
   write('slope.toml', text);
   await page.reload();

@@ -1,24 +1,32 @@
 // Rows of coordinates, or a file that has them.
 
 import { useState } from 'preact/hooks';
-import { valueAt } from '../../state/document';
+import { edit, valueAt } from '../../state/document';
 import { asListed, profile } from '../../section/profile';
-import { put } from '../place';
+import { thingOf } from '../place';
 import { FileControl } from './FileControl';
 import type { FieldProps } from './fieldProps';
 import { RowsControl } from './geometry';
+
+/// Settings that only a file has.
+const ofFile = ['section_layer', 'section_tolerance_m'] as const;
 
 export function RowsOrFileControl({ field, path }: FieldProps) {
   const value = valueAt(path);
   const [wantsFile, wantFile] = useState(false);
   const isFile = typeof value === 'string';
   const isEmpty = value === undefined || (Array.isArray(value) && value.length === 0);
+  const takeRows = () =>
+    edit(`take the ${field.title.toLowerCase()} of ${thingOf(path)} from its file`, [
+      { set: path, value: asListed(profile.value!) },
+      ...ofFile.map((key) => [path[0]!, key] as const).flatMap((of) => (valueAt(of) === undefined ? [] : [{ remove: of }])),
+    ]);
   return (
     <>
       {(isFile || (wantsFile && isEmpty)) && <FileControl field={field} path={path} />}
       {isFile && profile.value && (
         <div class="row">
-          <button class="button" onClick={() => put(path, asListed(profile.value!), field.title)}>
+          <button class="button" onClick={takeRows}>
             Take the vertices into the project
           </button>
         </div>
