@@ -51,7 +51,7 @@ def million():
     result = model.run(rocks=1_000_000, output=FEW)
     seconds = time.perf_counter() - begin
     array = best(lambda: result._source.table("end_points"))
-    print(f"a million rocks: {seconds:.2f} s, of which {result._source.core.seconds:.2f} s rocks; their end points as an "
+    print(f"a million rocks: {seconds:.2f} s, of which {result._source.seconds:.2f} s rocks; their end points as an "
           f"array: {array * 1000:.3f} ms; hash {hash_of(result.end_points)}")
     begin = time.perf_counter()
     result.frame("end_points")
@@ -85,7 +85,7 @@ def dem(runs, cells=1000):
     begin, rocks = time.perf_counter(), 0.0
     for k in range(runs):
         result = model.run(material={"0": {"normal_restitution": 0.3 + 0.1 * k / runs}}, output=FEW)
-        rocks += result._source.core.seconds
+        rocks += result._source.seconds
     seconds = time.perf_counter() - begin
     print(f"a million cells: {runs} runs of a thousand rocks in {seconds:.1f} s, {rocks:.1f} s of it rocks: "
           f"{(seconds - rocks) / runs * 1000:.3f} ms a run beyond them; memory grew by "

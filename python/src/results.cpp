@@ -83,6 +83,7 @@ void bind_results(py::module_& module) {
           py::arg("folder"))
       .def_property_readonly("rocks", [](const Run& run) { return run->course().range.count(); })
       .def_property_readonly("done", [](const Run& run) { return run->rocks_done(); })
+      .def_property_readonly("seconds", [](const Run& run) { return run->course().seconds; })
       .def_property_readonly("crs_wkt", [](const Run& run) { return run->site().model.crs_wkt; });
   module.def("table_of_folder", &table_of_folder, py::arg("folder"), py::arg("name"));
   module.def("envelopes_of_folder",

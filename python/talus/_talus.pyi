@@ -45,6 +45,7 @@ class Run:
     def save(self, folder: Path) -> None: ...
     rocks: int
     done: int
+    seconds: float
     crs_wkt: str
 
 class Trajectory:
