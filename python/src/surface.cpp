@@ -1,11 +1,14 @@
 // The terrain of a model: its queries, for lists of places and flights.
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "bindings.hpp"
 #include "memory_run.hpp"
 #include "prepared_model.hpp"
+#include "talus/model/cut_section.hpp"
 #include "vectors.hpp"
 
 namespace talus::python {
@@ -69,6 +72,28 @@ py::tuple bounds(const Model& built) {
   return py::make_tuple(low.x(), high.x(), low.y(), high.y(), low.z(), high.z());
 }
 
+/// Distances along the line on plan, and places.
+py::tuple ground_along(const Model& built, const Numbers& x, const Numbers& y, double tolerance) {
+  const py::ssize_t count = x.ndim() > 0 ? x.shape(0) : 0;
+  const NumbersIn xs(x, count), ys(y, count);
+  std::vector<std::array<double, 2>> line;
+  for (py::ssize_t k = 0; k < count; ++k) line.push_back({xs[k], ys[k]});
+  std::vector<SectionVertex> cut;
+  {
+    const py::gil_scoped_release released;
+    cut = cut_section(*built.surface, built.frame, line, tolerance, "line");
+  }
+  const auto vertices = static_cast<py::ssize_t>(cut.size());
+  NumbersOut distances(vertices);
+  VectorsOut places(vertices);
+  for (py::ssize_t k = 0; k < vertices; ++k) {
+    const SectionVertex& vertex = cut[static_cast<std::size_t>(k)];
+    distances.set(k, vertex.distance);
+    places.set(k, vertex.place);
+  }
+  return py::make_tuple(distances.array(), places.array());
+}
+
 template <class Owner, class ModelOf>
 void bind_queries(py::module_& module, ModelOf model_of) {
   module.def("elevation",
@@ -76,6 +101,9 @@ void bind_queries(py::module_& module, ModelOf model_of) {
   module.def("first_contact", [=](const Owner& owner, const Numbers& position, const Numbers& velocity,
                                   const Numbers& radius, double gravity, double t_max) {
     return first_contact(model_of(owner), position, velocity, radius, gravity, t_max);
+  });
+  module.def("section", [=](const Owner& owner, const Numbers& x, const Numbers& y, double tolerance) {
+    return ground_along(model_of(owner), x, y, tolerance);
   });
   module.def("bounds", [=](const Owner& owner) { return bounds(model_of(owner)); });
 }

@@ -8,9 +8,10 @@ import numpy as np
 
 from . import _talus
 from .flight import standard_gravity
+from .problems import BadInput
 from .shapes import check, numbers, together, vectors
 
-__all__ = ["Bounds", "Contact", "Surface"]
+__all__ = ["Bounds", "Contact", "Section", "Surface"]
 
 
 class Bounds(NamedTuple):
@@ -35,6 +36,20 @@ class Contact(NamedTuple):
     """Unit, out of the ground; at an edge or a vertex from there to the rock's centre."""
     facet: np.ndarray
     """Number of the segment, triangle or cell, from 0."""
+
+
+class Section(NamedTuple):
+    """The ground along a line: a vertex where it bends."""
+
+    distance: np.ndarray
+    """Along the line, on plan [m], shape (n,)."""
+    position: np.ndarray
+    """On the ground [m], shape (n, 3)."""
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """[x, z] of each vertex [m], shape (n, 2): a section for ``talus.Terrain(section=...)``."""
+        return np.column_stack([self.distance, self.position[:, 2]])
 
 
 class Surface:
@@ -69,3 +84,17 @@ class Surface:
         time, place, normal, facet = _talus.first_contact(self._core, *flat.values(), float(gravity), float(longest))
         return Contact(time.reshape(shape), place.reshape(shape + (3,)), normal.reshape(shape + (3,)),
                        facet.astype(np.int64).reshape(shape))
+
+    def section(self, line: Any, *, tolerance: Any = 0) -> Section:
+        """The ground along a line on plan.
+
+        ``line``: its corners [m], shape (n, 2). ``tolerance`` [m]: vertices within this distance of the line through
+        the others are left out (Douglas-Peucker). ``BadInput``: the terrain is itself a section, or the line has no
+        length or leaves the ground.
+        """
+        corners = numbers("line", line)
+        if corners.ndim != 2 or corners.shape[1] != 2 or len(corners) < 2:
+            raise BadInput(f"line has the shape {corners.shape} (expected (n, 2): x and y of two or more corners)")
+        check("line", corners, -1e9, 1e9)
+        check("tolerance", numbers("tolerance", tolerance), 0, 1e9)
+        return Section(*_talus.section(self._core, corners[:, 0], corners[:, 1], float(tolerance)))

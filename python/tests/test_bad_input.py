@@ -111,6 +111,9 @@ def test_wrong_shapes():
     surface = talus.prepare(talus.Project.starter()).surface
     problems_of(lambda: surface.elevation([1, 2], [1, 2, 3]))
     problems_of(lambda: surface.first_contact([0, 0, 0], [0, 0, 0], radius=-1))
+    problems_of(lambda: surface.section([[0, 0], [10, 0]]))
+    for line in ([], [[0, 0]], [0, 1], [[0, 0, 0], [1, 1, 1]], [[0, np.nan], [1, 1]], "line"):
+        problems_of(lambda: surface.section(line))
     assert np.isnan(surface.elevation([np.nan, np.inf, 1e300])).all()
     assert np.isnan(surface.first_contact([np.nan, 0, 0], [0, 0, 0]).time)
 
