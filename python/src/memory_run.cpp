@@ -84,7 +84,7 @@ void MemoryRun::save(const std::filesystem::path& folder) {
     const std::size_t count = tables.observers().size();
     const auto append = [&](const auto& keeper) {
       if (!keeper.is_wanted()) return;
-      keeper.for_texts([&](const std::string& text) {
+      keeper.for_texts(course_.threads, [&](const std::string& text) {
         std::vector<std::string> texts(count);
         texts[place] = text;
         tables.append(texts);

@@ -1,9 +1,14 @@
 #pragma once
 // Keeps the rows of a table in memory while rocks are simulated.
 
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "row_layout.hpp"
@@ -47,21 +52,24 @@ class RowKeeper : public Observer {
   [[nodiscard]] const PackedRows& rows() const { return rows_; }
   [[nodiscard]] bool is_wanted() const { return RowsOfRock<Row>::are_wanted(rocks_); }
 
-  /// Calls take(text) with the table's rows as text, in pieces.
+  /// Calls take(text) with the table's rows as text, in pieces and in order; this many threads write them.
   template <class Take>
-  void for_texts(Take&& take) const {
-    constexpr std::size_t piece = std::size_t{1} << 20;  // bytes
-    std::string text;
-    CsvMemory memory;
-    Row row;
-    for (std::size_t k = 0; k < rows_.count(); ++k) {
-      unpack(rows_.bytes.data() + k * rows_.layout.size, rows_.layout, row);
-      append_row(text, row, &memory);
-      if (text.size() < piece) continue;
-      take(text);
-      text.clear();
-    }
-    take(text);
+  void for_texts(int threads, Take&& take) const {
+    std::size_t next = 0;
+    const auto piece = [&](oneapi::tbb::flow_control& flow) {
+      const std::size_t begin = std::exchange(next, std::min(next + rows_in_piece, rows_.count()));
+      if (begin == next) flow.stop();
+      return std::pair(begin, next);
+    };
+    using oneapi::tbb::filter_mode;
+    oneapi::tbb::task_arena(threads).execute([&] {
+      oneapi::tbb::parallel_pipeline(
+          static_cast<std::size_t>(2 * threads),
+          oneapi::tbb::make_filter<void, std::pair<std::size_t, std::size_t>>(filter_mode::serial_in_order, piece) &
+              oneapi::tbb::make_filter<std::pair<std::size_t, std::size_t>, std::string>(
+                  filter_mode::parallel, [&](const auto& rows) { return text_of(rows.first, rows.second); }) &
+              oneapi::tbb::make_filter<std::string, void>(filter_mode::serial_in_order, take));
+    });
   }
 
  private:
@@ -77,6 +85,19 @@ class RowKeeper : public Observer {
     Row row;
     std::vector<std::byte> bytes;
   };
+
+  static constexpr std::size_t rows_in_piece = 4096;
+
+  [[nodiscard]] std::string text_of(std::size_t begin, std::size_t end) const {
+    std::string text;
+    CsvMemory memory;
+    Row row;
+    for (std::size_t k = begin; k < end; ++k) {
+      unpack(rows_.bytes.data() + k * rows_.layout.size, rows_.layout, row);
+      append_row(text, row, &memory);
+    }
+    return text;
+  }
 
   TableContext context_;
   TableRocks rocks_;
