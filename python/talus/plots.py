@@ -37,19 +37,17 @@ def section(result: Results, *, rocks: int = 50, axes: Axes | None = None) -> Ax
 
 
 def plan(result: Results, *, rocks: int = 100, axes: Axes | None = None) -> Axes:
-    """The terrain from above as a hillshade, the trajectories of some rocks, end points and barriers."""
+    """The terrain around the rocks from above as a hillshade, the trajectories of some, end points and barriers."""
     axes = _axes(axes)
-    if result.surface is not None:
-        _hillshade(result, axes)
-    for path in _paths(result, rocks):
-        axes.plot(path[:, 0], path[:, 1], **_path)
-    ends = result.end_points
-    axes.plot(ends["x_m"], ends["y_m"], ".", color="black", markersize=1.5)
-    for barrier in result.summary["barriers"]:
-        foot = np.array(barrier["line_xyz"])
-        axes.plot(foot[:, 0], foot[:, 1], **_barrier)
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=result.name)
-    axes.ticklabel_format(useOffset=False, style="plain")
+    paths = [path[:, :2] for path in _paths(result, rocks)]
+    feet = [np.array(barrier["line_xyz"])[:, :2] for barrier in result.summary["barriers"]]
+    ends = np.stack([result.end_points["x_m"], result.end_points["y_m"]], axis=1)
+    _terrain(result, axes, np.concatenate([ends, *paths, *feet]))
+    for path in paths:
+        axes.plot(*path.T, **_path)
+    axes.plot(*ends.T, ".", color="black", markersize=1.5)
+    for foot in feet:
+        axes.plot(*foot.T, **_barrier)
     return axes
 
 
@@ -57,12 +55,10 @@ def map(result: Results, name: str, *, axes: Axes | None = None, **options: Any)
     """A map of the run with its scale, over the hillshade. ``options`` go to imshow."""
     axes = _axes(axes)
     values = result.maps[name]
-    if result.surface is not None:
-        _hillshade(result, axes)
+    west, east, south, north = values.extent
+    _terrain(result, axes, np.array([[west, south], [east, north]]))
     image = axes.imshow(values, extent=values.extent, **{"cmap": "inferno_r", "alpha": 0.8, **options})
     axes.figure.colorbar(image, ax=axes, label=f"{values.meaning} [{values.unit or '-'}]", shrink=0.8)
-    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=result.name)
-    axes.ticklabel_format(useOffset=False, style="plain")
     return axes
 
 
@@ -137,15 +133,33 @@ def _faces(result: Results) -> list[tuple[float, float]]:
     return [(row["height_m"], np.radians(row.get("inclination_deg", 0))) for row in rows]
 
 
-def _hillshade(result: Results, axes: Axes) -> None:
+def _terrain(result: Results, axes: Axes, places: np.ndarray) -> None:
+    """Shows the surroundings of places, (n, 2) [m], with the hillshade if the results have their terrain."""
+    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=result.name)
+    axes.ticklabel_format(useOffset=False, style="plain")
+    axes.locator_params(axis="x", nbins=5)
+    places = places[np.isfinite(places).all(axis=1)]
+    if len(places) == 0:
+        return
+    low, high = places.min(axis=0), places.max(axis=0)
+    margin = max(0.15 * (high - low).max(), 5)
+    low, high = low - margin, high + margin
+    if result.surface is not None:
+        west, east, south, north, _, _ = result.surface.bounds
+        low, high = np.maximum(low, (west, south)), np.minimum(high, (east, north))
+        _hillshade(result, axes, low, high)
+    # Pictures that are drawn later do not change the limits that are set.
+    axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]))
+
+
+def _hillshade(result: Results, axes: Axes, low: np.ndarray, high: np.ndarray) -> None:
     from matplotlib.colors import LightSource
 
-    west, east, south, north, _, _ = result.surface.bounds
-    cell = max(east - west, north - south) / 400
-    if cell <= 0 or north <= south:
+    if not (high > low).all():
         return
-    x, y = np.arange(west + cell / 2, east, cell), np.arange(north - cell / 2, south, -cell)
+    cell = (high - low).max() / 400
+    x, y = np.arange(low[0] + cell / 2, high[0], cell), np.arange(high[1] - cell / 2, low[1], -cell)
     z = np.ma.masked_invalid(result.surface.elevation(x[np.newaxis, :], y[:, np.newaxis]))
     shade = LightSource(azdeg=315, altdeg=45).hillshade(z.filled(z.mean()), dx=cell, dy=cell)
-    axes.imshow(np.ma.array(shade, mask=z.mask), extent=(west, west + cell * len(x), north - cell * len(y), north),
-                cmap="gray", vmin=-0.4, vmax=1)
+    axes.imshow(np.ma.array(shade, mask=z.mask),
+                extent=(low[0], low[0] + cell * len(x), high[1] - cell * len(y), high[1]), cmap="gray", vmin=-0.4, vmax=1)

@@ -26,7 +26,11 @@ def test_each_figure_returns_its_axes(slope, crater):
     assert (np.diff(flight[:, 0]) > -1e-9).all() and np.isfinite(flight).all()
     assert talus.plots.histogram(result, "max_ke_J").get_xlabel().endswith("[J]")
     assert talus.plots.barrier_curves(result, "Fence").get_title() == "Fence"
-    assert len(talus.plots.plan(crater, rocks=5).images) == 1
+    plan = talus.plots.plan(crater, rocks=5)
+    assert len(plan.images) == 1
+    bounds, (west, east), (south, north) = crater.surface.bounds, plan.get_xlim(), plan.get_ylim()
+    assert bounds.west <= west < crater.end_points["x_m"].min() and crater.end_points["x_m"].max() < east <= bounds.east
+    assert bounds.south <= south < north <= bounds.north and east - west < bounds.east - bounds.west
     own = pyplot.figure().add_subplot()
     assert talus.plots.map(crater, "velocity_max", axes=own) is own
     with pytest.raises(talus.BadInput, match="not one of a section"):
