@@ -1,8 +1,8 @@
 #pragma once
 // Keeps the rows of a table in memory while rocks are simulated.
 
-#include <oneapi/tbb/parallel_pipeline.h>
-#include <oneapi/tbb/task_arena.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -56,19 +56,19 @@ class RowKeeper : public Observer {
   template <class Take>
   void for_texts(int threads, Take&& take) const {
     std::size_t next = 0;
-    const auto piece = [&](oneapi::tbb::flow_control& flow) {
+    const auto piece = [&](tbb::flow_control& flow) {
       const std::size_t begin = std::exchange(next, std::min(next + rows_in_piece, rows_.count()));
       if (begin == next) flow.stop();
       return std::pair(begin, next);
     };
-    using oneapi::tbb::filter_mode;
-    oneapi::tbb::task_arena(threads).execute([&] {
-      oneapi::tbb::parallel_pipeline(
+    using tbb::filter_mode;
+    tbb::task_arena(threads).execute([&] {
+      tbb::parallel_pipeline(
           static_cast<std::size_t>(2 * threads),
-          oneapi::tbb::make_filter<void, std::pair<std::size_t, std::size_t>>(filter_mode::serial_in_order, piece) &
-              oneapi::tbb::make_filter<std::pair<std::size_t, std::size_t>, std::string>(
+          tbb::make_filter<void, std::pair<std::size_t, std::size_t>>(filter_mode::serial_in_order, piece) &
+              tbb::make_filter<std::pair<std::size_t, std::size_t>, std::string>(
                   filter_mode::parallel, [&](const auto& rows) { return text_of(rows.first, rows.second); }) &
-              oneapi::tbb::make_filter<std::string, void>(filter_mode::serial_in_order, take));
+              tbb::make_filter<std::string, void>(filter_mode::serial_in_order, take));
     });
   }
 
