@@ -96,6 +96,7 @@ def test_a_model_can_be_used_by_several_threads(slope):
     assert found == expected
 
 
+@pytest.mark.skipif("libasan" in os.environ.get("LD_PRELOAD", ""), reason="the sanitizer holds freed memory back")
 def test_many_runs_leak_nothing(slope):
     model = talus.prepare(slope)
 
