@@ -16,11 +16,14 @@ from dataclasses import dataclass, fields
 import os
 from typing import Any, Literal, Mapping, Sequence, Union
 
+import numpy as np
+
 from .distributions import _Distribution, Empirical
 
 __all__ = [{names}]
 
-Property = Union[float, _Distribution, Empirical, Mapping[str, Any]]
+Real = Union[float, "np.floating[Any]", "np.integer[Any]"]
+Property = Union[Real, _Distribution, Empirical, Mapping[str, Any]]
 """A number, or a distribution that is drawn for each rock."""
 File = Union[str, "os.PathLike[str]"]
 
@@ -104,12 +107,12 @@ def type_text(setting: dict[str, Any]) -> str:
         return " | ".join(dict.fromkeys(type_text(each) for each in kinds))
     kind = setting["type"]
     if kind == "array":
-        return f"Sequence[{type_text(setting['items'])}]"
+        return f"Sequence[{type_text(setting['items'])}] | np.ndarray[Any, Any]"
     if kind == "object":
         return "Mapping[Any, str]"
     if setting.get("x-file"):
         return "File"
-    return {"number": "float", "integer": "int", "boolean": "bool", "string": "str"}[kind]
+    return {"number": "Real", "integer": "int | np.integer[Any]", "boolean": "bool", "string": "str"}[kind]
 
 
 def paragraph(text: str) -> str:

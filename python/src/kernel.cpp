@@ -1,7 +1,7 @@
 // Single impacts and flights.
 
 #include "bindings.hpp"
-#include "talus/flight/drag.hpp"
+#include "talus/flight/state_with_drag.hpp"
 #include "talus/impact/law.hpp"
 #include "vectors.hpp"
 
@@ -57,12 +57,10 @@ py::tuple flight_at(const Numbers& position, const Numbers& velocity, const Numb
   {
     const py::gil_scoped_release released;
     const Vec3 g(0, 0, -gravity);
-    const LinearDrag drag{rate, g};
     for (py::ssize_t k = 0; k < count; ++k) {
-      const double s = drag.parameter(t[k]);
-      const Parabola path = rate > 0 ? drag.piece(p[k], v[k], s) : Parabola{p[k], v[k], g};
-      positions.set(k, path.at(s));
-      velocities.set(k, drag.velocity(path, s));
+      const FlightState state = state_with_drag(p[k], v[k], g, rate, t[k]);
+      positions.set(k, state.place);
+      velocities.set(k, state.velocity);
     }
   }
   return py::make_tuple(positions.array(), velocities.array());

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
@@ -6,6 +7,7 @@
 #include "memory_run.hpp"
 #include "prepared_model.hpp"
 #include "problems.hpp"
+#include "talus/core/memory_reserve.hpp"
 
 namespace talus::python {
 
@@ -26,8 +28,17 @@ py::tuple run(const PreparedModel& model, std::vector<std::string> settings, std
   std::shared_ptr<MemoryRun> run;
   std::atomic<std::uint64_t> done{0}, planned{0};
   const auto work = [&](const std::atomic<bool>& stop) {
-    auto begun = std::make_shared<MemoryRun>(model.site_with(overrides));
-    planned = begun->site().model.rocks();
+    std::shared_ptr<MemoryRun> begun;
+    const auto site = model.site_with(overrides);
+    planned = site->model.rocks();
+    try {
+      begun = std::make_shared<MemoryRun>(site);
+    } catch (const std::bad_alloc&) {
+      throw OutOfMemory(fmt::format(
+          "not enough memory for the end points of {} rocks (keep fewer, with output={{\"endpoints\": N}}, or run the "
+          "project with the program)",
+          planned.load()));
+    }
     begun->simulate(threads, stop, done);
     run = std::move(begun);
   };
@@ -54,7 +65,7 @@ py::tuple run(const PreparedModel& model, std::vector<std::string> settings, std
 
 void bind_model(py::module_& module) {
   py::class_<PreparedModel, PreparedPointer>(module, "Model")
-      .def(py::init(&prepare), py::arg("project"))
+      .def(py::init(&prepare), py::arg("project").none(false))
       .def("run", &run, py::arg("settings"), py::arg("rocks"), py::arg("seed"), py::arg("threads"), py::arg("progress"))
       .def_property_readonly("warnings", [](const PreparedModel& self) { return as_python(self.site()->warnings); })
       .def_property_readonly("rocks", [](const PreparedModel& self) { return self.site()->model.rocks(); })

@@ -1,3 +1,4 @@
+#include "away.hpp"
 #include "bindings.hpp"
 #include "talus/gdal/gdal_start.hpp"
 
@@ -8,6 +9,7 @@ PYBIND11_MODULE(_talus, module) {
 #ifdef TALUS_HAS_GDAL
   talus::share_gdal();  // with rasterio, geopandas and others
 #endif
+  watch_process();
   bind_problems(module);
   bind_project(module);
   bind_results(module);

@@ -1,6 +1,6 @@
 #pragma once
 // Rows of tables as fixed-size records: the elements of NumPy's structured arrays. The columns are those that the row
-// declares (files/csv_table.hpp): numbers as float64 or uint64, words as text of fixed width, empty cells as NaN, or -1
+// declares (files/csv_table.hpp): numbers as float64 or int64, words as text of fixed width, empty cells as NaN, or -1
 // for whole numbers.
 
 #include <algorithm>
@@ -75,9 +75,7 @@ template <TableRow Row>
     } else if constexpr (std::is_same_v<Value, std::string>) {
       const std::size_t width = std::max<std::size_t>(1, text_width(name));
       layout.add(std::string(name), "<U" + std::to_string(width), width * sizeof(char32_t));
-    } else if constexpr (std::is_same_v<Value, std::uint64_t>) {
-      layout.add(std::string(name), "<u8", sizeof(std::uint64_t));
-    } else if constexpr (std::is_same_v<Value, std::optional<std::uint64_t>>) {
+    } else if constexpr (std::is_same_v<Value, std::uint64_t> || std::is_same_v<Value, std::optional<std::uint64_t>>) {
       layout.add(std::string(name), "<i8", sizeof(std::int64_t));
     } else {
       static_assert(std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>);

@@ -10,7 +10,7 @@ In ten lines::
     result.save("out")
 """
 
-from . import flight, impact, plots
+from . import distributions as _distributions, flight, impact, plots, settings as _settings
 from ._talus import __version__
 from .distributions import *
 from .maps import Map
@@ -22,3 +22,10 @@ from .runs import Model, follow, prepare, run
 from .settings import *
 from .surface import Surface
 from .trajectory import Trajectory
+
+__all__ = [
+    "__version__", "flight", "impact", "plots", "Map", "schema", "BadInput", "Interrupted", "Problem", "Project", "Column",
+    "Results", "columns", "open_results", "Model", "follow", "prepare", "run", "Surface", "Trajectory",
+]
+__all__ += _distributions.__all__
+__all__ += _settings.__all__

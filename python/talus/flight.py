@@ -7,8 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _talus
-from .problems import BadInput
-from .shapes import check, numbers, together, vectors
+from .shapes import check, number, numbers, together, vectors
 
 __all__ = ["State", "at", "standard_gravity"]
 
@@ -33,10 +32,9 @@ def at(position: Any, velocity: Any, time: Any, *, gravity: float = standard_gra
     """
     shape, flat = together(position_3=vectors("position", position), velocity_3=vectors("velocity", velocity),
                            time=numbers("time", time))
-    check("time", flat["time"], 0)
-    check("gravity", numbers("gravity", gravity), 0)
-    check("drag_rate", numbers("drag_rate", drag_rate), 0)
-    if not np.isfinite(gravity) or not np.isfinite(drag_rate):
-        raise BadInput("gravity and drag_rate must be finite")
-    positions, velocities = _talus.flight_at(*flat.values(), float(gravity), float(drag_rate))
+    for name in ("position", "velocity"):
+        check(name, flat[f"{name}_3"], -1e9, 1e9)
+    check("time", flat["time"], 0, 1e9)
+    positions, velocities = _talus.flight_at(*flat.values(), number("gravity", gravity, 0, 1000),
+                                             number("drag_rate", drag_rate, 0, 1e9))
     return State(positions.reshape(shape + (3,)), velocities.reshape(shape + (3,)))

@@ -55,14 +55,18 @@ def _rebound(law: str, velocity: Any, spin: Any, normal: Any, mass: Any, radius:
         rolling_friction=numbers("rolling_friction", rolling))
     for name in ("velocity_3", "spin_3", "normal_3"):
         check(name.removesuffix("_3"), flat[name], -1e9, 1e9)
-    check("mass", flat["mass"], 0, excludes_least=True)
-    check("radius", flat["radius"], 0, excludes_least=True)
+    check("mass", flat["mass"], 0, 1e20, excludes_least=True)
+    check("radius", flat["radius"], 1e-6, 1e6)
     check("normal_restitution", flat["normal_restitution"], 0, 1)
     check("tangential_restitution", flat["tangential_restitution"], 0, 1)
-    check("dynamic_friction", flat["dynamic_friction"], 0)
-    check("rolling_friction", flat["rolling_friction"], 0)
+    check("dynamic_friction", flat["dynamic_friction"], 0, 1e6)
+    check("rolling_friction", flat["rolling_friction"], 0, 1e6)
     lengths = np.linalg.norm(flat["normal_3"], axis=-1)
     if (abs(lengths - 1) > 1e-6).any():
         raise BadInput(f"normal has a length of {lengths[abs(lengths - 1) > 1e-6][0]:g} (expected a unit vector)")
+    outwards = (flat["velocity_3"] * flat["normal_3"]).sum(axis=-1)
+    if (outwards > 1e-9 * np.linalg.norm(flat["velocity_3"], axis=-1)).any():
+        raise BadInput(f"velocity leaves the ground, by {outwards.max():g} m/s along normal (expected one into the ground). "
+                       "The normal points out of the ground")
     velocities, spins = _talus.rebound(law, *flat.values())
     return Rebound(velocities.reshape(shape + (3,)), spins.reshape(shape + (3,)))

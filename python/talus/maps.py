@@ -15,7 +15,7 @@ __all__ = ["Map"]
 class Map(np.ma.MaskedArray):
     """A map as a masked array: rows from north to south, columns from west to east. Cells without a rock are masked.
 
-    Its attributes stay with results of the same shape; a part of it has no transform.
+    Its attributes stay with results of the same shape; a part of it, or a flipped one, has no transform.
     """
 
     name: str
@@ -44,19 +44,27 @@ class Map(np.ma.MaskedArray):
 
     def _update_from(self, other: Any) -> None:  # called for all results and parts
         super()._update_from(other)
-        if isinstance(other, Map) and other.shape != self.shape:
+        if isinstance(other, Map) and (other.shape, other.strides) != (self.shape, self.strides):
             self._optinfo = {key: value for key, value in self._optinfo.items() if key != "transform"}
             self.__dict__.pop("transform", None)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (np.array(self.data), np.array(self.mask), dict(self._optinfo))
 
     def __getattr__(self, key: str) -> Any:
         if key in Map._facts:
             return self._optinfo.get(key)
         raise AttributeError(f"{type(self).__name__!r} object has no attribute {key!r}")
 
+    def _place(self) -> tuple[float, float, float, float, float, float]:
+        if self.transform is None:
+            raise ValueError("a part of a map, or a flipped one, has no transform")
+        return self.transform
+
     @property
     def extent(self) -> tuple[float, float, float, float]:
         """West, east, south, north [m], as matplotlib's imshow takes it."""
-        a, _, west, _, e, north = self.transform
+        a, _, west, _, e, north = self._place()
         rows, columns = self.shape
         return west, west + a * columns, north + e * rows, north
 
@@ -64,7 +72,7 @@ class Map(np.ma.MaskedArray):
         """With coordinates x and y of the middles of cells; cells without a rock are NaN."""
         import xarray
 
-        a, _, west, _, e, north = self.transform
+        a, _, west, _, e, north = self._place()
         rows, columns = self.shape
         return xarray.DataArray(
             self.astype(np.float64).filled(np.nan),
@@ -74,3 +82,9 @@ class Map(np.ma.MaskedArray):
             attrs={"units": self.unit, "long_name": self.meaning, "crs_wkt": self.crs_wkt,
                    "transform": self.transform},
         )
+
+
+def _restored(values: np.ndarray, mask: np.ndarray, facts: dict[str, Any]) -> Map:
+    made = Map(values, mask=mask)
+    made._optinfo.update(facts)
+    return made

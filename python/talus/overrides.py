@@ -7,14 +7,19 @@ import json
 from typing import Any, Mapping
 
 from . import _talus
-from .problems import BadInput
+from .problems import BadInput, unicode_text
 from .toml_text import inline_text, key_text, plain
 
 
-@lru_cache(maxsize=1)
 def schema() -> dict[str, Any]:
     """The JSON Schema of the project file: every table and key with its unit, range, default and meaning."""
     return json.loads(_talus.schema_text())
+
+
+@lru_cache(maxsize=1)
+def declared() -> dict[str, Any]:
+    """The tables of the schema, not to be changed."""
+    return schema()["properties"]
 
 
 def overrides(settings: Mapping[str, Any]) -> list[str]:
@@ -24,27 +29,29 @@ def overrides(settings: Mapping[str, Any]) -> list[str]:
     """
     out: list[str] = []
     for name, value in settings.items():
-        value = plain(value)
-        table = schema()["properties"].get(name)
+        value = plain(value, name)
+        table = declared().get(name)
         if not isinstance(value, dict) or table is None:
             out.append(f"{name}={inline_text(value)}")
         elif table["type"] == "array":
             for row, values in value.items():
-                if not isinstance(values, dict):
+                if not isinstance(values, dict) or not values:
                     raise BadInput(f'{name}.{row} is {values!r} (expected a table of settings). '
                                    f'For example {name}={{"{row}": {{...}}}}')
                 out += [f"{name}.{key_text(row)}.{key_text(key)}={inline_text(each)}" for key, each in values.items()]
         else:
             out += [f"{name}.{key_text(key)}={inline_text(each)}" for key, each in value.items()]
-    return out
+    return [unicode_text(name, each) for each in out]
 
 
-def whole(name: str, value: Any, least: int = 0) -> int | None:
-    """A whole number, or None."""
-    if value is None:
-        return None
+def whole_or_none(name: str, value: Any, least: int = 0) -> int | None:
+    return None if value is None else whole(name, value, least)
+
+
+def whole(name: str, value: Any, least: int = 0) -> int:
+    """A whole number."""
     number = value.item() if hasattr(value, "item") and getattr(value, "size", 1) == 1 else value
     most = 2**63 - 1
     if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
-        raise BadInput(f"{name} is {value!r} (expected a whole number from {least})")
+        raise BadInput(f"{name} is {value!r} (expected a whole number from {least} to {most})")
     return number

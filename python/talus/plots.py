@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -70,9 +71,11 @@ def histogram(result: Results, column: str, *, table: str = "end_points", bins: 
         raise BadInput(f"{table} has no column of numbers {column!r}")
     axes = _axes(axes)
     values = getattr(result, table)[column]
-    values = values[np.isfinite(values)]
+    values = values[values != -1] if values.dtype.kind == "i" else values[np.isfinite(values)]
     axes.hist(values, bins=bins, color=_path["color"])
-    axes.set(xlabel=f"{found.meaning.split(';')[0].split(':')[0]} [{found.unit or '-'}]", ylabel="rocks" if table == "end_points" else "rows")
+    meaning = re.sub("^with `[^`]*`: ", "", found.meaning)  # its condition
+    axes.set(xlabel=f"{re.split('[;:]', meaning)[0]} [{found.unit or '-'}]",
+             ylabel="rocks" if table == "end_points" else "rows")
     return axes
 
 

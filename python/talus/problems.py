@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+import os
 from typing import Any
 
 
@@ -50,6 +51,25 @@ class BadInput(ValueError):
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (BadInput, (self.problems,))
+
+
+def unicode_text(name: str, text: Any) -> str:
+    """The text if it is one that files can have."""
+    if not isinstance(text, str):
+        raise BadInput(f"{name} is {text!r} (expected a text)")
+    try:
+        text.encode()
+    except UnicodeEncodeError as error:
+        raise BadInput(f"{name}: is not Unicode text ({error.reason})") from None
+    return text
+
+
+def path_text(path: str | bytes | os.PathLike[Any]) -> str:
+    """A path as the operating system takes it. Raises TypeError for what is no path."""
+    text = os.fsdecode(path)
+    if not text or "\0" in text:
+        raise BadInput(f"{text!r} is not the path of a file or folder")
+    return text
 
 
 class Interrupted(KeyboardInterrupt):

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
+import re
 from typing import Any
+import warnings
 
 from . import _talus
-from .overrides import overrides, schema, whole
-from .problems import BadInput, Problem
+from .overrides import declared, overrides, whole_or_none
+from .problems import BadInput, Problem, path_text, unicode_text
 from .toml_text import plain, project_text
 
 __all__ = ["Project"]
@@ -28,14 +30,15 @@ class Project:
             seeder=[talus.Seeder(name="Crest", position=[1, "surface"], rocks=100, mass_kg=500)],
         )
 
-    Tables may be dictionaries, too. Files that the project names are relative to ``folder``, by default the current one.
+    Tables may be dictionaries, too. Files that the project names are relative to ``folder``, by default the current one at the
+    time when they are read.
     Raises :class:`talus.BadInput` with all problems at once.
     """
 
     def __init__(self, *, folder: str | os.PathLike[str] = ".", **tables: Any) -> None:
-        text = project_text(_in_order(plain(tables)))
-        name = str(tables.get("name") or "project").replace("/", "_")
-        self._core = _talus.Project.from_text(text, Path(folder) / f"{name}.toml", [], None, None)
+        text = unicode_text("the project", project_text(_in_order(plain(tables))))
+        name = re.sub(r"[/\0]", "_", str(tables.get("name") or "project"))
+        self._core = _talus.Project.from_text(text, Path(path_text(folder)) / f"{name}.toml", [], None, None)
 
     @classmethod
     def read(cls, file: str | os.PathLike[str], *, rocks: int | None = None, seed: int | None = None,
@@ -45,17 +48,14 @@ class Project:
         ``rocks``: total number of rocks, which several seeders share in proportion; ``seed``: of all draws. Other
         settings are changed by their tables and keys: ``analysis={"gravity_m_s2": 9.81}``.
         """
-        return cls._of(_talus.Project.read(os.fspath(file), overrides(settings), whole("rocks", rocks, 1), whole("seed", seed)))
+        return cls._of(_talus.Project.read(path_text(file), *_changes(settings, rocks, seed)))
 
     @classmethod
     def from_text(cls, text: str, *, file: str | os.PathLike[str] = "project.toml", rocks: int | None = None,
                   seed: int | None = None, **settings: Any) -> Project:
         """A project from the text of a file, whose name is used in messages and for relative paths."""
-        try:
-            text.encode()
-        except UnicodeEncodeError as error:
-            raise BadInput(f"{os.fspath(file)}: is not Unicode text ({error.reason})") from None
-        return cls._of(_talus.Project.from_text(text, os.fspath(file), overrides(settings), whole("rocks", rocks, 1), whole("seed", seed)))
+        name = path_text(file)
+        return cls._of(_talus.Project.from_text(unicode_text(name, text), name, *_changes(settings, rocks, seed)))
 
     @classmethod
     def starter(cls) -> Project:
@@ -70,7 +70,7 @@ class Project:
 
     def changed(self, *, rocks: int | None = None, seed: int | None = None, **settings: Any) -> Project:
         """The project with other settings: ``project.changed(material={"Scree": {"roughness_deg": 5}})``."""
-        return Project._of(self._core.changed(overrides(settings), whole("rocks", rocks, 1), whole("seed", seed)))
+        return Project._of(self._core.changed(*_changes(settings, rocks, seed)))
 
     @property
     def name(self) -> str:
@@ -103,15 +103,37 @@ class Project:
         return self._core.warnings
 
     def write(self, file: str | os.PathLike[str]) -> Path:
-        """Writes it as a project file, in the layout of the workbench. Replaces no file unless it is complete."""
-        path = Path(file)
+        """Writes it as a project file, in the layout of the workbench. Replaces no file unless it is complete.
+
+        Files that it names are not copied: a warning names those that are not beside the new file.
+        """
+        path = Path(path_text(file))
+        if path.is_dir():
+            raise BadInput(f"{path}: cannot be written (it is a folder)")
         part = path.with_name(path.name + ".part")
         try:
             part.write_text(self.text, encoding="utf-8", newline="\n")
             os.replace(part, path)
         except OSError as error:
+            part.unlink(missing_ok=True)
             raise BadInput(f"{path}: cannot be written ({error.strerror})") from None
+        lacking = [name for name in self._files() if not (path.parent / name).exists()]
+        if lacking:
+            warnings.warn(f"{path}: there is no {', '.join(lacking)} beside it, which this project names", stacklevel=2)
         return path
+
+    def _files(self) -> list[str]:
+        """The files that its tables name."""
+        files: list[str] = []
+        for name, rows in self.settings.items():
+            table = declared()[name]
+            keys = table.get("items", table).get("properties", {})
+            for row in rows if isinstance(rows, list) else [rows] if isinstance(rows, dict) else []:
+                for key, value in row.items():
+                    named = value if isinstance(value, list) else [value]
+                    if _is_of_files(keys.get(key, {})):
+                        files += [each for each in named if isinstance(each, str)]
+        return files
 
     def __repr__(self) -> str:
         return f"<talus.Project {self.name!r}, {'section' if self.is_2d else '3D'}, {self.file}>"
@@ -123,12 +145,21 @@ class Project:
 def with_infinity(settings: dict[str, Any]) -> dict[str, Any]:
     """Echoed settings with numbers for "inf", which JSON does not have."""
     for name, rows in settings.items():
-        table = schema()["properties"][name]
-        declared = table.get("items", table).get("properties", {})
+        table = declared()[name]
+        keys = table.get("items", table).get("properties", {})
         for row in rows if isinstance(rows, list) else [rows] if isinstance(rows, dict) else []:
             row.update((key, float("inf")) for key, value in row.items()
-                       if value == "inf" and declared[key].get("x-infinite"))
+                       if value == "inf" and keys[key].get("x-infinite"))
     return settings
+
+
+def _changes(settings: dict[str, Any], rocks: int | None, seed: int | None) -> tuple[list[str], int | None, int | None]:
+    return overrides(settings), whole_or_none("rocks", rocks, 1), whole_or_none("seed", seed)
+
+
+def _is_of_files(setting: dict[str, Any]) -> bool:
+    kinds = setting.get("anyOf", [setting])
+    return any(kind.get("x-file") or kind.get("items", {}).get("x-file") for kind in kinds)
 
 
 def _restored(text: str, file: str) -> Project:
@@ -137,5 +168,5 @@ def _restored(text: str, file: str) -> Project:
 
 def _in_order(tables: dict[str, Any]) -> dict[str, Any]:
     """In the order of the reference; unknown names last, for the reader to refuse."""
-    known = [key for key in schema()["properties"] if key in tables]
+    known = [key for key in declared() if key in tables]
     return {key: tables[key] for key in known + [key for key in tables if key not in known]}

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _talus
 from .maps import Map
-from .problems import BadInput
+from .problems import BadInput, path_text
 from .project import Project, with_infinity
 from .surface import Surface
 
@@ -38,7 +38,7 @@ def columns(table: str) -> list[Column]:
 
     Those of envelopes are given with ``…`` where a name contains max, mean or a percentile.
     """
-    found = _talus.columns(table)
+    found = _talus.columns(table) if isinstance(table, str) else None
     if found is None:
         raise BadInput(f"there is no table {table!r} (expected {', '.join(_tables)})")
     return [Column(*column) for column in found]
@@ -152,8 +152,11 @@ class Results:
 
     def save(self, folder: str | os.PathLike[str]) -> Path:
         """Writes the files that ``talus run`` writes, with the same bytes except for the timings in summary.json."""
-        self._source.save(os.fspath(folder))
-        return Path(folder)
+        self._source.save(path_text(folder))
+        return Path(path_text(folder))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("results cannot be copied to another process (copy their tables, or save them and open the folder)")
 
     def __repr__(self) -> str:
         return f"<talus.Results of {self.rocks_done} of {self.rocks} rocks>"
@@ -176,7 +179,9 @@ class _Maps(Mapping[str, Map]):
             raise KeyError(f"there is no map {name!r}; there are {', '.join(self._names) or 'none'}")
         return Map._of(full, found, self._source.crs_wkt)
 
-    def _full_name(self, name: str) -> str | None:
+    def _full_name(self, name: object) -> str | None:
+        if not isinstance(name, str):
+            return None
         name = name.replace("kinetic_energy_", "energy_total_")
         if name in self._names:
             return name
@@ -184,7 +189,7 @@ class _Maps(Mapping[str, Map]):
         return longer[0] if len(longer) == 1 else None
 
     def __contains__(self, name: object) -> bool:
-        return isinstance(name, str) and self._full_name(name) is not None
+        return self._full_name(name) is not None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -245,8 +250,15 @@ class _InFolder:
 
 def open_results(folder: str | os.PathLike[str]) -> Results:
     """Reads the folder of a run, of this package or of the program. Raises :class:`talus.BadInput`."""
-    result = Results(_InFolder(os.fspath(folder)))
+    source = _InFolder(path_text(folder))
+    result = Results(source)
     rocks = result.summary.get("rocks")
-    if not isinstance(rocks, dict) or not all(isinstance(rocks.get(key), int) for key in ("planned", "done")):
-        raise BadInput(f"{Path(folder, 'summary.json')}: this is not the summary of a run (it has no number of rocks)")
+    parts = {"name": str, "rocks": dict, "end_reasons": dict, "statistics": dict, "barriers": list, "terrain": dict,
+             "project": dict}
+    lacking = [key for key, kind in parts.items() if not isinstance(result.summary.get(key), kind)]
+    if not lacking and not all(isinstance(rocks.get(key), int) for key in ("planned", "done")):
+        lacking = ["rocks"]
+    if lacking:
+        raise BadInput(f"{Path(source.folder, 'summary.json')}: this is not the summary of a run "
+                       f"(it has no {', '.join(lacking)})")
     return result

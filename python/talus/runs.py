@@ -7,7 +7,7 @@ import sys
 from typing import Any, Callable
 
 from . import _talus
-from .overrides import overrides, whole
+from .overrides import overrides, whole, whole_or_none
 from .problems import BadInput, Interrupted, Problem
 from .project import Project
 from .results import Results
@@ -26,6 +26,8 @@ class Model:
     """
 
     def __init__(self, project: Project) -> None:
+        if not isinstance(project, Project):
+            raise TypeError(f"a model is made of a Project, not of {project!r} (see prepare)")
         self.project = project
         """The project of which it was made."""
         self._core = _talus.Model(project._core)
@@ -60,10 +62,10 @@ class Model:
         and velocities of rocks take no time; others are placed on the terrain again, which is not read again. Those of
         [terrain], [ground] and [[area]] are refused.
 
-        Ctrl-C raises :class:`talus.Interrupted`, whose ``result`` has the rocks done. Raises :class:`talus.BadInput`.
+        Ctrl-C in the main thread raises :class:`talus.Interrupted`, whose ``result`` has the rocks done. Raises :class:`talus.BadInput`.
         """
-        core, stopped_by = self._core.run(overrides(settings), whole("rocks", rocks, 1), whole("seed", seed), _thread_count(threads),
-                                           _progress(progress))
+        core, stopped_by = self._core.run(overrides(settings), whole_or_none("rocks", rocks, 1),
+                                          whole_or_none("seed", seed), _thread_count(threads), _progress(progress))
         result = Results(core)
         if isinstance(stopped_by, KeyboardInterrupt):
             raise Interrupted(result) from None
@@ -80,13 +82,16 @@ class Model:
         """The trajectory of one rock by its number, from 0: the same as in a run."""
         return Trajectory(_talus.follow(self._core, whole("rock", rock)))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise TypeError("a model cannot be copied to another process (copy its project, and prepare that there)")
+
     def __repr__(self) -> str:
         return f"<talus.Model of {self.project!r}, {self.rocks} rocks>"
 
 
 def prepare(project: Project | str | os.PathLike[str]) -> Model:
     """Reads the terrain of a project, or of a project file, and places everything on it, for many runs."""
-    return Model(project if isinstance(project, Project) else Project.read(project))
+    return Model(_project(project))
 
 
 def follow(project: Project | str | os.PathLike[str], rock: int) -> Trajectory:
@@ -97,16 +102,25 @@ def follow(project: Project | str | os.PathLike[str], rock: int) -> Trajectory:
 def run(project: Project | str | os.PathLike[str], *, rocks: int | None = None, seed: int | None = None,
         threads: int = 0, progress: Progress | bool | None = None, **settings: Any) -> Results:
     """Simulates a project, or a project file, in memory. The arguments are those of :meth:`Model.run`."""
-    if not isinstance(project, Project):
-        project = Project.read(project)
+    project = _project(project)
     if rocks is not None or seed is not None or settings:
         project = project.changed(rocks=rocks, seed=seed, **settings)
     return prepare(project).run(threads=threads, progress=progress)
 
 
+def _project(project: Project | str | os.PathLike[str]) -> Project:
+    if isinstance(project, Project):
+        return project
+    if isinstance(project, Model):
+        raise TypeError("this is a model, not a project (use its own run and follow)")
+    if not isinstance(project, (str, os.PathLike)):
+        raise TypeError(f"expected a Project or the path of a project file, not {type(project).__name__}")
+    return Project.read(project)
+
+
 def _thread_count(threads: int) -> int:
     most = 1024
-    number = whole("threads", threads) or 0
+    number = whole("threads", threads)
     if number > most:
         raise BadInput(f"threads is {threads} (expected 0 to {most}). 0 uses all cores")
     return number

@@ -9,11 +9,14 @@ from dataclasses import dataclass, fields
 import os
 from typing import Any, Literal, Mapping, Sequence, Union
 
+import numpy as np
+
 from .distributions import _Distribution, Empirical
 
 __all__ = ["Table", "Analysis", "Sampling", "Terrain", "Material", "Ground", "Area", "Seeder", "Barrier", "Collector", "Kit", "Design", "Output", "Report", "Layer"]
 
-Property = Union[float, _Distribution, Empirical, Mapping[str, Any]]
+Real = Union[float, "np.floating[Any]", "np.integer[Any]"]
+Property = Union[Real, _Distribution, Empirical, Mapping[str, Any]]
 """A number, or a distribution that is drawn for each rock."""
 File = Union[str, "os.PathLike[str]"]
 
@@ -89,20 +92,20 @@ class Analysis(Table):
 
     model: Literal["lumped_mass", "rigid_sphere"] | None = None
     rotation: bool | None = None
-    gravity_m_s2: float | None = None
+    gravity_m_s2: Real | None = None
     sliding: Literal["stepped", "closed_form"] | None = None
-    max_timestep_s: float | None = None
-    normal_velocity_cutoff_m_s: float | None = None
-    grazing_angle_deg: float | None = None
-    stopped_velocity_m_s: float | None = None
-    max_steps: int | None = None
-    max_time_s: float | None = None
-    energy_datum_m: float | None = None
+    max_timestep_s: Real | None = None
+    normal_velocity_cutoff_m_s: Real | None = None
+    grazing_angle_deg: Real | None = None
+    stopped_velocity_m_s: Real | None = None
+    max_steps: int | np.integer[Any] | None = None
+    max_time_s: Real | None = None
+    energy_datum_m: Real | None = None
     friction_angle: Literal["material", "tangential_restitution", "zero"] | None = None
     scale_rn_by_velocity: bool | None = None
-    rn_velocity_scale_m_s: float | None = None
+    rn_velocity_scale_m_s: Real | None = None
     scale_rn_by_mass: bool | None = None
-    rn_mass_scale_kg: float | None = None
+    rn_mass_scale_kg: Real | None = None
     tangential_crsp_damping: bool | None = None
     rolling_resistance_in_impacts: bool | None = None
 
@@ -130,12 +133,12 @@ class Sampling(Table):
     at least 2, at most 10000. Default: 50.
     """
 
-    seed: int | None = None
+    seed: int | np.integer[Any] | None = None
     method: Literal["monte_carlo", "latin_hypercube"] | None = None
     materials: Literal["per_impact", "per_rock"] | None = None
     parameters: File | None = None
     parameters_site: str | None = None
-    ensembles: int | None = None
+    ensembles: int | np.integer[Any] | None = None
 
 
 @dataclass(kw_only=True)
@@ -237,33 +240,33 @@ class Terrain(Table):
     rotate_about: A point [x, y, z] on the vertical axis of rotation. Unit: m. Default: [0, 0, 0].
     """
 
-    section: Sequence[Sequence[float]] | File | None = None
+    section: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | File | None = None
     section_layer: str | None = None
-    section_tolerance_m: float | None = None
-    section_std_dev_m: Sequence[Sequence[float]] | None = None
-    width_m: float | None = None
-    mesh: File | Sequence[File] | None = None
+    section_tolerance_m: Real | None = None
+    section_std_dev_m: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+    width_m: Real | None = None
+    mesh: File | Sequence[File] | np.ndarray[Any, Any] | None = None
     up: Literal["z", "y"] | None = None
-    vertices: Sequence[Sequence[float]] | None = None
-    triangles: Sequence[Sequence[int]] | None = None
+    vertices: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+    triangles: Sequence[Sequence[int | np.integer[Any]] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
     raster: File | None = None
     points: File | None = None
-    point_classes: Sequence[int] | None = None
+    point_classes: Sequence[int | np.integer[Any]] | np.ndarray[Any, Any] | None = None
     points_layer: str | None = None
     lines: File | None = None
     lines_layer: str | None = None
     elevation_attribute: str | None = None
     boundary: File | None = None
     boundary_layer: str | None = None
-    max_edge_m: float | None = None
-    remove_spikes_m: float | None = None
-    polylines: Sequence[Sequence[Sequence[float]]] | None = None
+    max_edge_m: Real | None = None
+    remove_spikes_m: Real | None = None
+    polylines: Sequence[Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
     polygons: File | None = None
     polygons_layer: str | None = None
-    merge_tolerance_m: float | None = None
+    merge_tolerance_m: Real | None = None
     crs: str | None = None
-    rotate_deg: float | None = None
-    rotate_about: Sequence[float] | None = None
+    rotate_deg: Real | None = None
+    rotate_about: Sequence[Real] | np.ndarray[Any, Any] | None = None
 
 
 @dataclass(kw_only=True)
@@ -319,14 +322,14 @@ class Material(Table):
     tangential_restitution: Property | None = None
     friction_angle_deg: Property | None = None
     roughness_deg: Property | None = None
-    roughness_spacing_m: float | None = None
-    roughness_amplitude_m: float | None = None
+    roughness_spacing_m: Real | None = None
+    roughness_amplitude_m: Real | None = None
     dynamic_friction: Property | None = None
     rolling_friction: Property | None = None
     forest: Literal["none", "open", "medium", "dense"] | None = None
-    forest_drag_kg_s: float | None = None
-    forest_height_m: float | None = None
-    ground_drag_per_s: float | None = None
+    forest_drag_kg_s: Real | None = None
+    forest_height_m: Real | None = None
+    ground_drag_per_s: Real | None = None
 
 
 @dataclass(kw_only=True)
@@ -363,8 +366,8 @@ class Ground(Table):
     """
 
     default: str | None = None
-    segments: Sequence[str] | None = None
-    triangles: Sequence[int] | None = None
+    segments: Sequence[str] | np.ndarray[Any, Any] | None = None
+    triangles: Sequence[int | np.integer[Any]] | np.ndarray[Any, Any] | None = None
     raster: File | None = None
     classes: Mapping[Any, str] | None = None
     polygons: File | None = None
@@ -388,7 +391,7 @@ class Area(Table):
 
     name: str | None = None
     material: str | None = None
-    polygon: Sequence[Sequence[float]] | None = None
+    polygon: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
 
 
 @dataclass(kw_only=True)
@@ -501,25 +504,25 @@ class Seeder(Table):
     name: str | None = None
     source: str | None = None
     type: Literal["point", "line", "polygon", "raster", "table"] | None = None
-    position: Sequence[float | Literal["surface"]] | None = None
-    points: Sequence[Sequence[float | Literal["surface"]]] | None = None
+    position: Sequence[Real | Literal["surface"]] | np.ndarray[Any, Any] | None = None
+    points: Sequence[Sequence[Real | Literal["surface"]] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
     lines: File | None = None
     polygons: File | None = None
-    polygon: Sequence[Sequence[float]] | None = None
+    polygon: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
     table: File | None = None
     name_attribute: str | None = None
     layer: str | None = None
     source_attribute: str | None = None
-    min_slope_deg: float | None = None
-    max_slope_deg: float | None = None
+    min_slope_deg: Real | None = None
+    max_slope_deg: Real | None = None
     mask: File | None = None
-    mask_value: int | None = None
-    cell_m: float | None = None
+    mask_value: int | np.integer[Any] | None = None
+    cell_m: Real | None = None
     place: Literal["random", "centre"] | None = None
-    height_above_m: float | None = None
-    rocks: int | None = None
-    rocks_per_cell: int | None = None
-    rocks_per_row: int | None = None
+    height_above_m: Real | None = None
+    rocks: int | np.integer[Any] | None = None
+    rocks_per_cell: int | np.integer[Any] | None = None
+    rocks_per_row: int | np.integer[Any] | None = None
     mass_kg: Property | None = None
     volume_m3: Property | None = None
     diameter_m: Property | None = None
@@ -528,7 +531,7 @@ class Seeder(Table):
     vertical_velocity_m_s: Property | None = None
     speed_m_s: Property | None = None
     rotational_velocity_deg_s: Property | None = None
-    direction: Sequence[float] | Literal["downslope"] | None = None
+    direction: Sequence[Real] | np.ndarray[Any, Any] | Literal["downslope"] | None = None
 
 
 @dataclass(kw_only=True)
@@ -557,12 +560,12 @@ class Barrier(Table):
     """
 
     name: str | None = None
-    line: float | Sequence[float] | Sequence[Sequence[float]] | None = None
-    height_m: float | None = None
-    inclination_deg: float | None = None
-    capacity_kJ: float | None = None
-    normal_restitution: float | None = None
-    tangential_restitution: float | None = None
+    line: Real | Sequence[Real] | np.ndarray[Any, Any] | Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+    height_m: Real | None = None
+    inclination_deg: Real | None = None
+    capacity_kJ: Real | None = None
+    normal_restitution: Real | None = None
+    tangential_restitution: Real | None = None
 
 
 @dataclass(kw_only=True)
@@ -582,9 +585,9 @@ class Collector(Table):
     """
 
     name: str | None = None
-    line: float | Sequence[float] | Sequence[Sequence[float]] | None = None
-    height_m: float | None = None
-    inclination_deg: float | None = None
+    line: Real | Sequence[Real] | np.ndarray[Any, Any] | Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+    height_m: Real | None = None
+    inclination_deg: Real | None = None
 
 
 @dataclass(kw_only=True)
@@ -616,13 +619,13 @@ class Kit(Table):
     """
 
     name: str | None = None
-    heights_m: Sequence[float] | None = None
-    mel_kJ: float | None = None
-    sel_kJ: float | None = None
-    tested_height_m: float | None = None
-    elongation_m: float | None = None
+    heights_m: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    mel_kJ: Real | None = None
+    sel_kJ: Real | None = None
+    tested_height_m: Real | None = None
+    elongation_m: Real | None = None
     residual_height: Literal["unknown", "A", "B", "C"] | None = None
-    cost_per_m: float | None = None
+    cost_per_m: Real | None = None
 
 
 @dataclass(kw_only=True)
@@ -716,35 +719,35 @@ class Design(Table):
     cost_energy_exponent: b in the cost index. Range: at least 0, at most 100. Default: 0.5.
     """
 
-    lines: Sequence[str] | None = None
+    lines: Sequence[str] | np.ndarray[Any, Any] | None = None
     protect: str | None = None
-    section_m: float | None = None
-    free_end_m: float | None = None
-    clearance_m: float | None = None
+    section_m: Real | None = None
+    free_end_m: Real | None = None
+    clearance_m: Real | None = None
     pairs: bool | None = None
-    percentiles: Sequence[float] | None = None
-    confidence: float | None = None
+    percentiles: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    confidence: Real | None = None
     standard: Literal["UNI 11211-4", "ONR 24810", "none"] | None = None
     standard_file: File | None = None
-    design_percentile: float | None = None
-    trajectory_factor: float | None = None
-    topography_factor: float | None = None
-    volume_factor: float | None = None
-    density_factor: float | None = None
-    risk_factor: float | None = None
-    action_energy_factor: float | None = None
-    action_height_factor: float | None = None
+    design_percentile: Real | None = None
+    trajectory_factor: Real | None = None
+    topography_factor: Real | None = None
+    volume_factor: Real | None = None
+    density_factor: Real | None = None
+    risk_factor: Real | None = None
+    action_energy_factor: Real | None = None
+    action_height_factor: Real | None = None
     energy_level: Literal["MEL", "SEL"] | None = None
-    energy_factor: float | None = None
-    elongation_factor: float | None = None
+    energy_factor: Real | None = None
+    elongation_factor: Real | None = None
     energy: Literal["translational", "total"] | None = None
-    block_mass_kg: float | None = None
-    upper_clearance_m: float | None = None
-    catch_share: float | None = None
-    heights_m: Sequence[float] | None = None
-    energies_kJ: Sequence[float] | None = None
-    cost_height_exponent: float | None = None
-    cost_energy_exponent: float | None = None
+    block_mass_kg: Real | None = None
+    upper_clearance_m: Real | None = None
+    catch_share: Real | None = None
+    heights_m: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    energies_kJ: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    cost_height_exponent: Real | None = None
+    cost_energy_exponent: Real | None = None
 
 
 @dataclass(kw_only=True)
@@ -796,18 +799,18 @@ class Output(Table):
     report: Writes `report.html`, a page of figures that needs no network. Default: true.
     """
 
-    endpoints: Literal["all", "none"] | int | None = None
-    paths: Literal["all", "none"] | int | None = None
-    impacts: Literal["all", "none"] | int | None = None
-    trajectories_MB: Literal["all", "none"] | int | None = None
-    runout_from: Sequence[float] | None = None
-    runout_along: float | Sequence[float] | Sequence[Sequence[float]] | None = None
-    maps: bool | Sequence[Literal["passages", "reach_share", "deposits", "impacts", "energy_total", "energy_translational", "velocity", "bounce_height"]] | None = None
+    endpoints: Literal["all", "none"] | int | np.integer[Any] | None = None
+    paths: Literal["all", "none"] | int | np.integer[Any] | None = None
+    impacts: Literal["all", "none"] | int | np.integer[Any] | None = None
+    trajectories_MB: Literal["all", "none"] | int | np.integer[Any] | None = None
+    runout_from: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    runout_along: Real | Sequence[Real] | np.ndarray[Any, Any] | Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+    maps: bool | Sequence[Literal["passages", "reach_share", "deposits", "impacts", "energy_total", "energy_translational", "velocity", "bounce_height"]] | np.ndarray[Any, Any] | None = None
     maps_by_source: bool | None = None
-    bands: bool | Sequence[Literal["passages", "reach_share", "deposits", "impacts", "energy_total", "energy_translational", "velocity", "bounce_height"]] | None = None
-    raster_cell_m: Literal["terrain"] | float | None = None
-    percentiles: Sequence[float] | None = None
-    geopackage: Literal["all", "none"] | int | None = None
+    bands: bool | Sequence[Literal["passages", "reach_share", "deposits", "impacts", "energy_total", "energy_translational", "velocity", "bounce_height"]] | np.ndarray[Any, Any] | None = None
+    raster_cell_m: Literal["terrain"] | Real | None = None
+    percentiles: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    geopackage: Literal["all", "none"] | int | np.integer[Any] | None = None
     vtk: bool | None = None
     report: bool | None = None
 
@@ -881,5 +884,5 @@ class Layer(Table):
     layer: str | None = None
     name_attribute: str | None = None
     colour: str | None = None
-    opacity: float | None = None
+    opacity: Real | None = None
     visible: bool | None = None

@@ -11,9 +11,21 @@ from .problems import BadInput
 
 def numbers(name: str, value: Any) -> np.ndarray:
     try:
-        return np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise BadInput(f"{name} is not numeric (expected a number or an array of numbers)") from None
+        array = np.asarray(value)
+        if array.dtype.kind in "iuf" or array.size == 0:
+            return array.astype(np.float64)
+    except (TypeError, ValueError):  # lists of another length
+        pass
+    raise BadInput(f"{name} is not numeric (expected a number or an array of numbers)")
+
+
+def number(name: str, value: Any, least: float, most: float) -> float:
+    """One number."""
+    array = numbers(name, value)
+    if array.size != 1:
+        raise BadInput(f"{name} has the shape {array.shape} (expected one number)")
+    check(name, array, least, most)
+    return array.item()
 
 
 def vectors(name: str, value: Any) -> np.ndarray:

@@ -9,7 +9,7 @@ import numpy as np
 from . import _talus
 from .flight import standard_gravity
 from .problems import BadInput
-from .shapes import check, numbers, together, vectors
+from .shapes import check, number, numbers, together, vectors
 
 __all__ = ["Bounds", "Contact", "Section", "Surface"]
 
@@ -79,9 +79,8 @@ class Surface:
         shape, flat = together(position_3=vectors("position", position), velocity_3=vectors("velocity", velocity),
                                radius=numbers("radius", radius))
         check("radius", flat["radius"], 0, 1e4)
-        check("gravity", numbers("gravity", gravity), 0, 1000)
-        check("longest", numbers("longest", longest), 0, 1e6)
-        time, place, normal, facet = _talus.first_contact(self._core, *flat.values(), float(gravity), float(longest))
+        time, place, normal, facet = _talus.first_contact(
+            self._core, *flat.values(), number("gravity", gravity, 0, 1000), number("longest", longest, 0, 1e6))
         return Contact(time.reshape(shape), place.reshape(shape + (3,)), normal.reshape(shape + (3,)),
                        facet.astype(np.int64).reshape(shape))
 
@@ -96,5 +95,4 @@ class Surface:
         if corners.ndim != 2 or corners.shape[1] != 2 or len(corners) < 2:
             raise BadInput(f"line has the shape {corners.shape} (expected (n, 2): x and y of two or more corners)")
         check("line", corners, -1e9, 1e9)
-        check("tolerance", numbers("tolerance", tolerance), 0, 1e9)
-        return Section(*_talus.section(self._core, corners[:, 0], corners[:, 1], float(tolerance)))
+        return Section(*_talus.section(self._core, corners[:, 0], corners[:, 1], number("tolerance", tolerance, 0, 1e9)))

@@ -40,21 +40,26 @@ def _number_text(value: float) -> str:
     return f"{mantissa}e{'-' if power < 0 else '+'}{abs(power)}"
 
 
-def plain(value: Any) -> Any:
-    """A value of Python, NumPy or this package as bool, int, float, str, list or dict."""
-    if hasattr(value, "settings"):
-        return plain(value.settings())
+def plain(value: Any, setting: str = "") -> Any:
+    """A value of Python, NumPy or this package as bool, int, float, str, list or dict.
+
+    ``setting``: its path, for messages. Raises TypeError.
+    """
+    if hasattr(value, "settings") and not isinstance(value, type):
+        return plain(value.settings(), setting)
     if isinstance(value, Mapping):
-        return {str(key): plain(part) for key, part in value.items() if part is not None}
+        return {str(key): plain(part, f"{setting}.{key}".lstrip(".")) for key, part in value.items()}
     if isinstance(value, (bool, int, float, str)):
         return value
     if isinstance(value, os.PathLike):
-        return os.fspath(value)
-    if hasattr(value, "tolist"):  # a scalar or an array of NumPy
-        return plain(value.tolist())
+        return os.fsdecode(value)
+    if hasattr(value, "tolist"):  # of NumPy or pandas
+        listed = value.tolist()
+        if not hasattr(listed, "tolist"):  # as a long double still has
+            return plain(listed, setting)
     if isinstance(value, (list, tuple)):
-        return [plain(part) for part in value]
-    raise TypeError(f"a setting cannot be {value!r}: expected a number, a text, a list or a table")
+        return [plain(part, f"{setting}.{k}") for k, part in enumerate(value)]
+    raise TypeError(f"{setting or 'a setting'} cannot be {value!r}: expected a number, a text, a list or a table")
 
 
 def inline_text(value: Any) -> str:

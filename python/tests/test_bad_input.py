@@ -43,8 +43,41 @@ def test_wrong_arguments_of_a_run(slope, arguments):
 
 
 def test_a_setting_of_no_known_kind(slope):
-    with pytest.raises(TypeError, match="a setting cannot be"):
-        slope.changed(analysis={"gravity_m_s2": object()})
+    for value in (object(), None, np.longdouble(9), talus.Normal):
+        with pytest.raises(TypeError, match="^analysis.gravity_m_s2 cannot be"):
+            slope.changed(analysis={"gravity_m_s2": value})
+    with pytest.raises(TypeError, match="^barrier cannot be None"):
+        talus.Project(barrier=None)
+
+
+def test_what_is_no_project(slope):
+    model = talus.prepare(slope)
+    for wrong in (lambda: talus.run(model), lambda: talus.run({}), lambda: talus.Model("slope.toml"),
+                  lambda: talus.Project.read(None)):
+        with pytest.raises(TypeError):
+            wrong()
+    for text in (3, b"name", "\udc80"):
+        problems_of(lambda: talus.Project.from_text(text))
+    for path in ("", "a\0b"):
+        problems_of(lambda: talus.Project.read(path))
+        problems_of(lambda: slope.write(path))
+        problems_of(lambda: talus.run(slope, rocks=1).save(path))
+    problems_of(lambda: slope.changed(name="\udcff"))
+    problems_of(lambda: slope.changed(material={"Nobody": {}}))
+    problems_of(lambda: model.follow(None))
+    problems_of(lambda: talus.columns(None))
+
+
+def test_a_file_that_is_not_written_leaves_nothing(slope, tmp_path):
+    (tmp_path / "slope.toml").mkdir()
+    problems_of(lambda: slope.write(tmp_path / "slope.toml"))
+    assert [each.name for each in tmp_path.iterdir()] == ["slope.toml"]
+
+
+def test_a_project_written_elsewhere_warns_of_its_files(tmp_path):
+    project = talus.Project.read(SOURCE / "examples/maungawhau/maungawhau.toml")
+    with pytest.warns(UserWarning, match="there is no maungawhau.asc beside it"):
+        project.write(tmp_path / "away.toml")
 
 
 def test_wrong_typed_tables():
@@ -73,7 +106,7 @@ def test_a_folder_that_was_damaged(tmp_path, slope):
     problems_of(lambda: talus.open_results(folder).end_points)
     (folder / "paths.csv").unlink()
     problems_of(lambda: talus.open_results(folder).events)
-    for damage in ("", "[]", "{", "[" * 100_000, '{"rocks": 3}', "\0"):
+    for damage in ("", "[]", '{"rocks": {"planned": 1, "done": 1}}', "{", "[" * 100_000, '{"rocks": 3}', "\0"):
         (folder / "summary.json").write_text(damage)
         problems_of(lambda: talus.open_results(folder))
     (folder / "summary.json").write_bytes(b"\xff\xfe")
@@ -102,12 +135,16 @@ def test_hostile_projects():
 
 def test_wrong_shapes():
     law = {"mass": 1, "radius": 1, "normal_restitution": 0.5, "tangential_restitution": 0.5}
-    for velocity in (1, [1, 2], np.zeros((2, 2)), "fast", [[0, 0, np.nan]], None):
+    for velocity in ([5, 0, 8], 1, [1, 2], np.zeros((2, 2)), "fast", [[0, 0, np.nan]], None):
         problems_of(lambda: talus.impact.crsp(velocity, **law))
     problems_of(lambda: talus.impact.crsp(np.zeros((3, 3)), np.zeros((2, 3)), **law))
     problems_of(lambda: talus.impact.crsp([0, 0, -1], normal=[0, 0, 2], **law))
     problems_of(lambda: talus.impact.crsp([0, 0, -1], **{**law, "mass": 0}))
-    problems_of(lambda: talus.flight.at([0, 0, 0], [0, 0, 0], [0, -1]))
+    for name in ("mass", "radius"):
+        problems_of(lambda: talus.impact.crsp([0, 0, -1], **{**law, name: np.inf}))
+    for time in ([0, -1], np.inf, None, "1", True):
+        problems_of(lambda: talus.flight.at([0, 0, 0], [0, 0, 0], time))
+    problems_of(lambda: talus.flight.at([0, 0, 0], [0, 0, 0], 1, gravity=[1, 2]))
     surface = talus.prepare(talus.Project.starter()).surface
     problems_of(lambda: surface.elevation([1, 2], [1, 2, 3]))
     problems_of(lambda: surface.first_contact([0, 0, 0], [0, 0, 0], radius=-1))
@@ -122,6 +159,8 @@ def test_names_that_do_not_exist(slope):
     result = talus.run(slope, rocks=5)
     with pytest.raises(KeyError, match="there is no map"):
         result.maps["height"]
+    with pytest.raises(KeyError):
+        result.maps[3]
     for call in (lambda: result.frame("rocks"), lambda: talus.columns("rocks"),
                  lambda: talus.plots.histogram(result, "seeder"), lambda: talus.plots.barrier_curves(result, "Wall")):
         problems_of(call)

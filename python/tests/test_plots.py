@@ -1,5 +1,7 @@
 """Figures, notebooks' pictures, frames and maps."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -67,6 +69,13 @@ def test_maps_have_their_place(crater):
     assert (passages[row[inside], column[inside]] > 0).all()
     assert (2 * passages).transform == passages.transform and passages[1:].transform is None
     assert passages.max() <= 50
+    for flipped in (passages[::-1], np.flipud(passages), passages[:9, :9].T):
+        assert flipped.transform is None
+        with pytest.raises(ValueError, match="has no transform"):
+            flipped.extent
+    again = pickle.loads(pickle.dumps(energy))
+    assert (again == energy).all() and again.mask.sum() == energy.mask.sum()
+    assert (again.transform, again.unit, again.crs_wkt) == (energy.transform, energy.unit, energy.crs_wkt)
     xarray = pytest.importorskip("xarray")
     array = energy.to_xarray()
     assert isinstance(array, xarray.DataArray) and array.attrs["units"] == "kJ" and float(array.y[0]) == north - 2.5

@@ -161,6 +161,48 @@ except talus.Interrupted as stopped:
     assert process.stdout == "kept\n", process.stderr
 
 
+def test_the_interpreter_ends_while_rocks_are_simulated():
+    code = f"""
+import talus, threading, time
+model = talus.prepare(talus.Project.from_text({SLOPE!r}, rocks=3_000_000, output={{"paths": "none", "trajectories_MB": 0}}))
+begun = threading.Event()
+threading.Thread(target=lambda: model.run(progress=lambda *_: begun.set()), daemon=True).start()
+begun.wait()
+print("ends")
+"""
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert (process.returncode, process.stdout) == (0, "ends\n"), process.stderr
+
+
+def test_a_process_forked_during_a_run_refuses_rocks(slope):
+    code = f"""
+import os, talus, threading
+model = talus.prepare(talus.Project.from_text({SLOPE!r}, rocks=3_000_000, output={{"paths": "none", "trajectories_MB": 0}}))
+begun = threading.Event()
+threading.Thread(target=lambda: model.run(progress=lambda *_: begun.set()), daemon=True).start()
+begun.wait()
+child = os.fork()
+if child == 0:
+    try:
+        model.run(rocks=5, threads=1)
+    except RuntimeError as error:
+        os._exit(7 if "spawn" in str(error) else 1)
+    os._exit(2)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+"""
+    process = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert (process.returncode, process.stdout) == (0, "7\n"), process.stderr
+
+
+def test_flights_with_drag_are_the_closed_form():
+    k, v = 5.0, np.array([3.0, 0, 4])
+    place, velocity = talus.flight.at([0, 0, 0], v, [0.1, 10, 1000], drag_rate=k)
+    for t, z, vz in zip([0.1, 10, 1000], place[:, 2], velocity[:, 2]):
+        gone, g = -np.expm1(-k * t) / k, talus.flight.standard_gravity
+        assert z == pytest.approx(4 * gone - g * (t - gone) / k, rel=1e-12)
+        assert vz == pytest.approx(4 * np.exp(-k * t) - g * gone, rel=1e-12)
+
+
 def test_one_rock_can_be_followed(slope):
     result = talus.run(slope)
     path = talus.follow(slope, rock=7)
