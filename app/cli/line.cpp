@@ -28,6 +28,20 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+/// The project that a summary holds, without warnings: the run has given its own, and those about the defaults, which a
+/// summary spells out, are nobody's.
+project::Project project_again(const RunIdentity& run, const fs::path& file, const project::Overrides& overrides) {
+  try {
+    return project::read_project_text(project::text_of_echo(*run.project), file, overrides).project;
+  } catch (const BadInput& refused) {
+    Problems errors;
+    for (const Problem& problem : refused.problems().list()) {
+      if (problem.severity == Severity::error) errors.add(problem);
+    }
+    throw BadInput(errors);
+  }
+}
+
 /// The project and the model of a finished run, from its summary.
 Loaded load_run(const LineOptions& options) {
   const fs::path summary = options.folder / "summary.json";
@@ -45,9 +59,7 @@ Loaded load_run(const LineOptions& options) {
   if (!folder.has_filename()) folder = folder.parent_path();  // of "out/"
   const fs::path base = options.files.empty() ? folder.parent_path() : options.files;
   // By default results are in a folder that has the project's name and is beside it.
-  project::Reading reading = project::read_project_text(project::text_of_echo(*run.project),
-                                                        base / (folder.filename().string() + ".toml"), overrides);
-  Loaded loaded{std::move(reading.project), {}, {}};
+  Loaded loaded{project_again(run, base / (folder.filename().string() + ".toml"), overrides), {}, {}};
   loaded.model = project::build_model(loaded.project, loaded.warnings);
   loaded.warnings = {};  // the run has given them
   if (project::fingerprint_of(*run.project, loaded.model) != run.fingerprint) {

@@ -77,6 +77,17 @@ class Refusals(Case):
         self.assertIn("is in degrees", text)
         self.assertIn('"fences" (barriers) has no features', text)
 
+    def test_runout_along_two_lines(self):
+        one, two = (f"LINESTRING ({x} 5234400, {x} 5234100)" for x in (652400, 652500))
+        lines = vector("LineString", UTM, [], [(one, []), (two, [])], "paths")
+        self.assertIn(
+            'The layer "paths" (runout) has 2 lines, and runout is counted along one', self.refused(RUNOUT=lines)
+        )
+
+    def test_runout_from_a_point_and_along_a_line(self):
+        line = vector("LineString", UTM, [], [("LINESTRING (652400 5234400, 652500 5234100)", [])], "path")
+        self.assertIn("runout_along", self.refused(RUNOUT=line, OUTPUT_RUNOUT_FROM="652400,5234400 [EPSG:25832]"))
+
     def test_nothing_to_release(self):
         self.assertIn("Choose a layer from which rocks start", self.refused(RELEASE=None, SEEDER_MIN_SLOPE_DEG=None))
 

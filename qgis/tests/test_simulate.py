@@ -42,6 +42,30 @@ class SameBytes(Case):
         subprocess.run([PROGRAM, "run", found["PROJECT_FILE"], "-q", "-o", again], check=True)
         compare(self, found["RESULTS"], again)
 
+    def test_outputs_are_those_that_were_chosen(self):
+        line = vector("LineString", UTM, [], [("LINESTRING (652400 5234400, 652500 5234100)", [])], "fall line")
+        found = self.simulate(
+            RUNOUT=line, OUTPUT_REPORT=False, OUTPUT_MAPS=["energy_total"], OUTPUT_PERCENTILES="[90]"
+        )
+        project = tomllib.loads(self.project_text())
+        self.assertEqual(
+            project["output"],
+            {
+                "report": False,
+                "maps": ["energy_total"],
+                "percentiles": [90],
+                "runout_along": [[652400, 5234400], [652500, 5234100]],
+            },
+        )
+        written = files_below(found["RESULTS"])
+        self.assertNotIn("report.html", written)
+        self.assertIn("maps/energy_total_p90_kJ.tif", written)
+        maps = [file for file in written if file.endswith(".tif")]
+        self.assertFalse([file for file in maps if not file.startswith("maps/energy_total")])
+        again = self.folder / "again"
+        subprocess.run([PROGRAM, "run", found["PROJECT_FILE"], "-q", "-o", again], check=True)
+        compare(self, found["RESULTS"], again)
+
     def test_qgis_process_computes_the_bytes_of_the_original_project(self):
         """The same cliffs and terrain, as the command line runs them from the files of the example."""
         example = self.folder / "example"
@@ -131,6 +155,14 @@ class Layers(Case):
 
     def test_without_a_layer_rocks_start_from_steep_cells(self):
         self.assertEqual(self.project(RELEASE=None)["seeder"][0]["type"], "raster")
+
+    def test_runout_is_counted_from_a_point_of_any_system(self):
+        def point(text):
+            return self.project(OUTPUT_RUNOUT_FROM=text)["output"]["runout_from"]
+
+        self.assertEqual(point("652400,5234400 [EPSG:25832]"), [652400, 5234400])
+        x, y = point("11.0125,47.2428 [EPSG:4326]")
+        self.assertTrue(652000 < x < 653000 and 5234000 < y < 5235000, (x, y))
 
     def test_fields_give_the_values_of_each_barrier(self):
         fences = vector(

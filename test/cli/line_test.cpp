@@ -138,5 +138,23 @@ TEST_F(LineCommand, RefusesWithTheReason) {
             "rocks). Run it again with output.trajectories_MB\n");
 }
 
+TEST(LineOfASectionFile, IsRefusedWithoutTheWarningsOfTheRun) {
+  const Workplace work;
+  work.write("profile.csv", "0,20\n10,10\n30,10\n");
+  work.write("slope.toml",
+             "terrain.section = 'profile.csv'\n[[material]]\nname = 'ground'\nlike = 'talus_cover'\n"
+             "[[seeder]]\ntype = 'point'\nposition = [1, 'surface']\nrocks = 5\nmass_kg = 100\n");
+  const std::string out = (work / "out").string();
+  const Said run = talus_says("run " + (work / "slope.toml").string() + " --quiet -o " + out);
+  ASSERT_EQ(run.exit_code, 0) << run.text;
+  const std::string profile = (work / "profile.csv").string();
+  std::filesystem::remove(profile);
+  const Said said = talus_says("line " + out + " --line 5");
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_NE(said.text.find("section " + profile + ": cannot be read (No such file or directory)"), std::string::npos)
+      << said.text;
+  EXPECT_EQ(said.text.find('\n'), said.text.size() - 1) << said.text;
+}
+
 }  // namespace
 }  // namespace talus::test

@@ -9,9 +9,11 @@ from qgis.core import (
     QgsProcessingException,
     QgsProcessingFeatureSourceDefinition,
     QgsProcessingOutputFile,
+    QgsProcessingParameterDefinition,
     QgsProcessingParameterFeatureSource,
     QgsProcessingParameterField,
     QgsProcessingParameterFolderDestination,
+    QgsProcessingParameterPoint,
     QgsProcessingParameterRasterLayer,
     QgsProcessingParameterString,
     QgsProcessingUtils,
@@ -43,7 +45,7 @@ RELEASE_KEYS = (
     "rotational_velocity_deg_s",
     "direction",
 )
-# The tables of which all keys can be set, less what layers give or what only a drawing on the map could give.
+# The tables of which all keys can be set, less what a layer or a point on the map gives.
 WHOLE_TABLES = {"analysis": (), "sampling": (), "output": ("runout_from", "runout_along")}
 # Settings beside the layers; all others are advanced.
 FIRST_SEEN = {
@@ -115,6 +117,16 @@ LAYERS = (
         [QgsProcessing.TypeVectorLine],
         "Lines that record the rocks which cross them. Fields name and height_m give the values of each line.",
     ),
+    (
+        "RUNOUT",
+        "runout",
+        "Output: line along which runout is counted",
+        [QgsProcessing.TypeVectorLine],
+        (
+            "One line: runout is the distance along it on plan, from its first point. The line goes on straight beyond"
+            " its ends. Without it runout is counted from each rock's release."
+        ),
+    ),
 )
 FIELDS = {
     "RELEASE": (
@@ -143,14 +155,17 @@ class ProjectAlgorithm(Algorithm):
         )
         self.settings = self.declared_settings()
         for name, _, description, kinds, help_text in LAYERS:
-            self.add(QgsProcessingParameterFeatureSource(name, description, kinds, optional=True), help_text)
+            layer = QgsProcessingParameterFeatureSource(name, description, kinds, optional=True)
+            if name not in FIRST_SEEN:
+                layer.setFlags(layer.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+            self.add(layer, help_text)
             if name in FIELDS:
                 field, description, help_text = FIELDS[name]
                 self.add(
                     QgsProcessingParameterField(field, description, parentLayerParameterName=name, optional=True),
                     help_text,
                 )
-            self.add_settings(lambda key, of=FIRST_SEEN[name]: key in of, advanced=False)
+            self.add_settings(lambda key, of=FIRST_SEEN.get(name, ()): key in of, advanced=False)
         self.add(
             QgsProcessingParameterString("NAME", "Name of the project", "rockfall"),
             "Names the project file and the folder of the results.",
@@ -163,6 +178,11 @@ class ProjectAlgorithm(Algorithm):
             ),
         )
         self.add_settings(lambda key: not any(key in keys for keys in FIRST_SEEN.values()), advanced=True)
+        point = QgsProcessingParameterPoint(
+            "OUTPUT_RUNOUT_FROM", "Output: point from which runout is counted", optional=True
+        )
+        point.setFlags(point.flags() | QgsProcessingParameterDefinition.FlagAdvanced)
+        self.add(point, "Runout is the distance on plan from here. Without it it is counted from each rock's release.")
         self.addOutput(QgsProcessingOutputFile("PROJECT_FILE", "Project file"))
 
     def add_settings(self, are_wanted, advanced):
@@ -250,9 +270,11 @@ class ProjectAlgorithm(Algorithm):
         tables += self.ground(values, chosen, folder, name, context)
         tables.append(("[[seeder]]", self.seeder(values, chosen.get("RELEASE"), folder, name, context, feedback)))
         tables += self.lines(values, chosen, context)
-        tables += [
-            (f"[{table}]", self.with_files(self.keys(values, table, context), table, folder)) for table in WHOLE_TABLES
-        ]
+        for table in WHOLE_TABLES:
+            keys = self.with_files(self.keys(values, table, context), table, folder)
+            if table == "output":
+                keys.update(self.runout(values, chosen.get("RUNOUT"), context))
+            tables.append((f"[{table}]", keys))
         try:
             text = toml.document(FIRST_LINE + os.path.basename(project), name, tables)
         except ValueError as error:
@@ -333,6 +355,22 @@ class ProjectAlgorithm(Algorithm):
                 names.add(unique)
                 tables.append((f"[[{table}]]", {"name": unique, "line": line, **keys}))
         return tables
+
+    def runout(self, values, features, context):
+        """From where runout is counted: keys of the table output."""
+        found = {}
+        if values.get("OUTPUT_RUNOUT_FROM") not in (None, ""):
+            point = self.parameterAsPoint(values, "OUTPUT_RUNOUT_FROM", context, self.terrain.crs)
+            found["runout_from"] = [point.x(), point.y()]
+        if features is not None:
+            lines = [line for _, line in lines_on_plan(features)]
+            if len(lines) != 1:
+                raise QgsProcessingException(
+                    f'The layer "{features.name}" (runout) has {len(lines)} lines, and runout is counted along one. '
+                    "Select it, and tick Selected features only."
+                )
+            found["runout_along"] = lines[0]
+        return found
 
     def with_files(self, keys, table, folder):
         """Files that settings name, copied beside the project file."""
