@@ -1,5 +1,7 @@
 #include "targets.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -158,6 +160,24 @@ name = "Rock"
   written(folder / "table.csv", input);
   return verdict_of([&] {
     const std::string text = std::string(start) + "type = \"table\"\ntable = \"table.csv\"\nmass_kg = 1\n";
+    Problems warnings;
+    (void)project::build_model(project::read_project_text(text, folder / "not-there.toml").project, warnings);
+    (void)warnings.text();
+  });
+}
+
+Verdict read_section(std::string_view input, const fs::path& folder) {
+  const bool is_simplified = take_choice(input) % 2 == 1;
+  written(folder / "section.csv", input);
+  return verdict_of([&] {
+    const std::string text = fmt::format("[terrain]\nsection = \"section.csv\"\n{}" R"(
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [0, "surface"]
+mass_kg = 1
+)",
+                                         is_simplified ? "section_tolerance_m = 0.5\n" : "");
     Problems warnings;
     (void)project::build_model(project::read_project_text(text, folder / "not-there.toml").project, warnings);
     (void)warnings.text();

@@ -87,7 +87,7 @@ test('a truncated list of files is reported', async ({ workbench: page, server }
   await page.getByRole('button', { name: 'Empty, 3D' }).click();
   await expect(cut).toBeVisible();
   await expect(page.getByText(/^and \d+ more, listed under their kinds$/)).toBeVisible();
-  await page.getByRole('button', { name: /^\d+\.csv$/ }).first().click();
+  await page.getByRole('button', { name: /^Survey/ }).click();
   await expect(page.locator('.file-control').first()).toContainText('Only 2,000 files');
 });
 
@@ -100,6 +100,7 @@ test('files can be dropped on every panel', async ({ workbench: page, server }) 
   await expect(page.getByText('Uploaded: notes.txt2.')).toBeVisible();
   await page.getByRole('tab', { name: 'Text' }).click();
   expect(await drop(page, 'b.csv', 'x,y,z\n0,0,0\n10,0,0\n0,10,5\n')).toBe(true);
+  await page.getByRole('dialog', { name: 'What is b.csv?' }).getByRole('button', { name: 'Survey (3D)' }).click();
   await expect(page.getByRole('heading', { name: 'Terrain', level: 2 })).toBeVisible();
   expect(await projectText(page)).toContain('points = "b.csv"');
 });
