@@ -58,7 +58,7 @@ test('contours start a project as lines of a survey', async ({ workbench: page, 
   writeFileSync(file, contours);
   await terrainFile(page).setInputFiles(file);
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('contours');
-  expect(await projectText(page)).toContain('lines = "contours.geojson"');
+  await expect.poll(() => projectText(page)).toContain('lines = "contours.geojson"');
 });
 
 test('a setting names the .shp of an uploaded Shapefile', async ({ workbench: page, server }) => {

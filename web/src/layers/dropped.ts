@@ -1,6 +1,5 @@
 // Files that were dropped on the page or imported: stored beside the project, and then asked what they are.
 
-import { signal } from '@preact/signals';
 import { ask } from '../askLine/asked';
 import { getJson, Refused } from '../api/client';
 import type { Problem } from '../api/types';
@@ -29,13 +28,12 @@ export interface Dropped {
   /// The lines and areas of a vector file; null while they are read, if there are none, and for rasters.
   shapes: ReadShape[] | null;
   isReading: boolean;
-  choices: Choice[];
+  choices: Choice[]; // none while it is read
   /// What the server says about the file: no coordinate system, several layers ...
   problems: Problem[];
 }
 /// The file that the dialog asks about.
 export const dropped = ofProject<Dropped | null>(null);
-const reading = signal(0);
 
 const fileKind = (name: string): FileKind | null => fileFormats.find(({ ending }) => name.toLowerCase().endsWith(ending))?.kind ?? null;
 
@@ -45,7 +43,8 @@ export const hasRaster = (list: readonly File[]) => list.some(({ name }) => ['ra
 /// Whether a file of this name can be a section as well as a survey.
 export const isTableOrLines = (name: string) => isPointText(name) || fileKind(name) === 'vector';
 
-const isInSpace = () => model.value?.dimension === 3;
+const hasTerrain = () => kindOf(tableAt(['terrain'])) !== undefined;
+const isInSpace = () => hasTerrain() && model.value?.dimension === 3;
 
 /// The one of stored files that is asked about: one of a GIS beside a terrain in 3D, otherwise the likeliest terrain; not
 /// the present one.
@@ -69,15 +68,13 @@ export async function takeStored(names: readonly string[]) {
   const name = askedAmong(names);
   if (name === undefined) return takeTerrain(names);
   const kind = fileKind(name)!;
-  const own = (reading.value = reading.peek() + 1);
-  const asked = { name, kind, shapes: null, isReading: true, choices: [], problems: [] };
+  const asked: Dropped = { name, kind, shapes: null, isReading: true, choices: [], problems: [] };
   dropped.value = asked;
   try {
     const found = await readAs(name, kind);
-    if (reading.peek() !== own || dropped.peek() !== asked) return;
-    const hasTerrain = kindOf(tableAt(['terrain'])) !== undefined;
-    if (!hasTerrain && found.choices[0]?.use === 'terrain' && !found.choices.some(({ use }) => use === 'section'))
-      return useDropped({ ...asked, ...found }, 'terrain');
+    if (dropped.peek() !== asked) return;
+    const canBe = (wanted: Use) => found.choices.some(({ use }) => use === wanted);
+    if (!hasTerrain() && canBe('terrain') && !canBe('section')) return useDropped({ ...asked, ...found }, 'terrain');
     dropped.value = { ...asked, ...found, isReading: false };
   } catch (error) {
     if (dropped.peek() === asked) dropped.value = null;

@@ -8,10 +8,10 @@ import { mostOfSections, type Outcome, type Tried } from './uses';
 
 const isOfTerrain = ({ path, severity }: Problem) => severity === 'error' && (path === 'terrain' || path.startsWith('terrain.'));
 
-/// Without the place in a project that nobody sees.
-function ofFile(problem: Problem): Problem {
-  const text = problem.text.replace(/^.*?\[terrain\]: (section |points |lines )?/, '');
-  return { ...problem, text };
+/// Without the place in a project that nobody sees, and without the key if the file is named.
+function ofFile(problem: Problem, key: string, file: string): Problem {
+  const text = problem.text.replace(/^.*?\[terrain\]: /, '');
+  return { ...problem, text: text.startsWith(`${key} ${file}`) ? text.slice(key.length + 1) : text };
 }
 
 /// `file` is named as in the project.
@@ -19,7 +19,7 @@ export async function triedAs(key: KeyOf<'terrain'>, file: string, project: stri
   const { model, found } = await modelOf(project, `[terrain]\n${pairText(key, file)}\n`);
   if (model) return { terrain: model };
   const own = found.filter(isOfTerrain);
-  return { problems: (own.length > 0 ? own : found).map(ofFile) };
+  return { problems: (own.length > 0 ? own : found).map((problem) => ofFile(problem, key, file)) };
 }
 
 /// As a section and, by its key, as a survey.

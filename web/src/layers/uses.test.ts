@@ -34,7 +34,7 @@ test('a file that is no section says why', () => {
   const texts = (section: Outcome, survey: Outcome) => refusals({ section, survey }).map(({ text }) => text);
   expect(texts(built(1), refused('has no y'))).toEqual([]);
   expect(texts(refused('two lines'), built(1, 1))).toEqual(['As a section: two lines']);
-  expect(texts(refused('in feet'), refused('in feet', 'empty'))).toEqual(['in feet', 'empty']);
+  expect(texts(refused('in feet'), refused('in feet', 'empty'))).toEqual(['in feet', 'As a survey: empty']);
 });
 
 test('every line becomes a barrier with a name of its own, to the centimetre', () => {

@@ -57,8 +57,14 @@ export function terrainChoices(kind: FileKind, tried: Tried): Choice[] {
 /// Why a file is no section, or neither that nor a survey.
 export function refusals({ section, survey }: Tried): Problem[] {
   if ('terrain' in section) return [];
-  if ('terrain' in survey) return section.problems.map((problem) => ({ ...problem, text: `As a section: ${problem.text}` }));
-  return [...new Map([...section.problems, ...survey.problems].map((problem) => [problem.text, problem])).values()];
+  const ofSurvey = 'problems' in survey ? survey.problems : [];
+  const isInBoth = ({ text }: Problem) => section.problems.some((one) => one.text === text) && ofSurvey.some((one) => one.text === text);
+  const withUse = (use: string) => (problem: Problem) => ({ ...problem, text: `As a ${use}: ${problem.text}` });
+  return [
+    ...section.problems.filter(isInBoth),
+    ...section.problems.filter((problem) => !isInBoth(problem)).map(withUse('section')),
+    ...ofSurvey.filter((problem) => !isInBoth(problem)).map(withUse('survey')),
+  ];
 }
 
 /// What can be chosen for a file beside a terrain in 3D; `shapes`: the lines and areas in it, null if it has none or
