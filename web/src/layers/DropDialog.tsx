@@ -8,8 +8,12 @@ export function DropDialog() {
   const now = dropped.value;
   if (!now) return null;
   const { name, isReading, choices, problems } = now;
+  // Browsers say that a dialog is closed with the next frame, when another file may have been dropped.
+  const close = () => {
+    if (dropped.peek()?.name === name) dropped.value = null;
+  };
   return (
-    <Dialog key={name} title={`What is ${name}?`} close={() => (dropped.value = null)}>
+    <Dialog key={name} title={`What is ${name}?`} close={close}>
       {problems.map(({ text, severity }) => (
         <p key={text} class={`problem ${severity}`}>
           {text}
