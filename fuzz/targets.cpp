@@ -1,7 +1,5 @@
 #include "targets.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -167,17 +165,18 @@ name = "Rock"
 }
 
 Verdict read_section(std::string_view input, const fs::path& folder) {
-  const bool is_simplified = take_choice(input) % 2 == 1;
-  written(folder / "section.csv", input);
-  return verdict_of([&] {
-    const std::string text = fmt::format("[terrain]\nsection = \"section.csv\"\n{}" R"(
+  constexpr std::string_view rest = R"(
 [[material]]
 name = "Rock"
 [[seeder]]
 position = [0, "surface"]
 mass_kg = 1
-)",
-                                         is_simplified ? "section_tolerance_m = 0.5\n" : "");
+)";
+  std::string text = "[terrain]\nsection = \"section.csv\"\n";
+  if (take_choice(input) % 2 == 1) text += "section_tolerance_m = 0.5\n";
+  text += rest;
+  written(folder / "section.csv", input);
+  return verdict_of([&] {
     Problems warnings;
     (void)project::build_model(project::read_project_text(text, folder / "not-there.toml").project, warnings);
     (void)warnings.text();

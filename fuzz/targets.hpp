@@ -30,8 +30,8 @@ Verdict read_points(std::string_view input, const std::filesystem::path& folder)
 /// A table of releases, from which a model is built.
 Verdict read_table(std::string_view input, const std::filesystem::path& folder);
 
-/// The first byte selects whether the section is simplified, the others are a table of its points, from which a model is
-/// built.
+/// The first byte selects whether the section is simplified, the others are a table of its points, from which a model
+/// is built.
 Verdict read_section(std::string_view input, const std::filesystem::path& folder);
 
 /// The first byte selects integers or real numbers, the others are an ASCII grid, which is checked.
