@@ -45,6 +45,7 @@ test('a project can be started from a file that exists already', async ({ workbe
 
 const contours = JSON.stringify({
   type: 'FeatureCollection',
+  crs: { type: 'name', properties: { name: 'EPSG:31287' } },
   features: [0, 10, 20].map((z) => ({
     type: 'Feature',
     properties: {},
