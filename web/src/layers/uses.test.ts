@@ -24,7 +24,7 @@ test('a table is a section if its points follow a line, and a survey if they wan
   const asked = (section: Outcome, survey: Outcome) => terrainChoices('points', { section, survey }).map(({ use }) => use);
   expect(asked(built(100), built(80, 40))).toEqual(['section', 'terrain', 'store']);
   expect(asked(built(1000), built(100, 100))).toEqual(['terrain', 'section', 'store']);
-  expect(asked(built(100, 0, 20_001), built(100))).toEqual(['terrain', 'section', 'store']);
+  expect(asked(built(100, 0, 100_001), built(100))).toEqual(['terrain', 'section', 'store']);
   expect(asked(built(100), refused('has no y'))).toEqual(['section', 'store']);
   expect(asked(refused('two lines'), built(9, 9))).toEqual(['terrain', 'store']);
   expect(uses('vector', [line], true)).toContain('section');

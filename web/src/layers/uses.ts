@@ -25,7 +25,7 @@ export interface Tried {
 }
 
 /// A table of more vertices than this is hardly a section, and is not triangulated only to be asked about.
-export const mostOfSections = 20_000;
+export const mostOfSections = 100_000;
 
 /// More lines than this are hardly barriers.
 export const mostBarriers = 50;
