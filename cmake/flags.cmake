@@ -18,7 +18,9 @@ target_compile_options(talus_own_flags INTERFACE
   # A vector's coordinates are written one by one; reading two at once would wait until both are in memory.
   $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 # No fused multiply-add: the bits of a result must not depend on what the compiler fuses.
-target_compile_options(talus_flags INTERFACE -ffp-contract=off)
+target_compile_options(talus_flags INTERFACE -ffp-contract=off
+  # Clang before 19 knows no operator delete with a size otherwise.
+  $<$<CXX_COMPILER_ID:Clang>:-fsized-deallocation>)
 # Sums have the same order on every processor, and a vector's coordinates do not wait for each other. It changes the
 # layout of vectors, so all code must be compiled with it, or none.
 target_compile_definitions(talus_flags INTERFACE EIGEN_DONT_VECTORIZE)

@@ -164,6 +164,25 @@ name = "Rock"
   });
 }
 
+Verdict read_section(std::string_view input, const fs::path& folder) {
+  constexpr std::string_view rest = R"(
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [0, "surface"]
+mass_kg = 1
+)";
+  std::string text = "[terrain]\nsection = \"section.csv\"\n";
+  if (take_choice(input) % 2 == 1) text += "section_tolerance_m = 0.5\n";
+  text += rest;
+  written(folder / "section.csv", input);
+  return verdict_of([&] {
+    Problems warnings;
+    (void)project::build_model(project::read_project_text(text, folder / "not-there.toml").project, warnings);
+    (void)warnings.text();
+  });
+}
+
 /// The other files of a folder with a hostile table.
 constexpr std::string_view summary_of_no_rocks =
     R"({"talus": {"version": ""}, "name": "", "fingerprint": "", "seed": 0, "interrupted": false, "end_reasons": {},

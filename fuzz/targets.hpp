@@ -30,6 +30,10 @@ Verdict read_points(std::string_view input, const std::filesystem::path& folder)
 /// A table of releases, from which a model is built.
 Verdict read_table(std::string_view input, const std::filesystem::path& folder);
 
+/// The first byte selects whether the section is simplified, the others are a table of its points, from which a model
+/// is built.
+Verdict read_section(std::string_view input, const std::filesystem::path& folder);
+
 /// The first byte selects integers or real numbers, the others are an ASCII grid, which is checked.
 Verdict read_grid(std::string_view input, const std::filesystem::path& folder);
 
@@ -53,12 +57,13 @@ struct Target {
   Read read;
 };
 
-inline constexpr std::array<Target, 10> targets{{{"project", &read_project},
+inline constexpr std::array<Target, 11> targets{{{"project", &read_project},
                                                  {"factors", &read_factors},
                                                  {"mesh", &read_mesh},
                                                  {"points", &read_points},
                                                  {"grid", &read_grid},
                                                  {"table", &read_table},
+                                                 {"section", &read_section},
                                                  {"results", &read_results},
                                                  {"state", &read_state},
                                                  {"picture", &read_picture},

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "talus/model/model.hpp"
+#include "talus/project/named_files.hpp"
 
 namespace talus::server {
 
@@ -30,10 +31,10 @@ std::size_t bytes_of(const Model& model) {
 }
 
 Problems seen_from(const std::filesystem::path& folder, const Problems& problems) {
-  const std::string start = folder.string() + "/";
   Problems seen;
   for (Problem problem : problems.list()) {
-    if (problem.file.starts_with(start)) problem.file.erase(0, start.size());
+    for (std::string* part : {&problem.file, &problem.what, &problem.why, &problem.hint})
+      *part = project::with_relative_paths(std::move(*part), folder);
     seen.add(std::move(problem));
   }
   return seen;

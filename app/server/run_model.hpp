@@ -38,7 +38,7 @@ template <class Row>
 [[nodiscard]] BuiltProject build(std::string_view text, const std::filesystem::path& file,
                                  const project::Overrides& overrides);
 
-/// Makes the file names of problems relative to the folder.
+/// Makes the names of files in problems relative to the folder.
 [[nodiscard]] Problems seen_from(const std::filesystem::path& folder, const Problems& problems);
 
 }  // namespace talus::server

@@ -60,18 +60,18 @@ std::string why_unreadable(const Project& project, const std::filesystem::path& 
   return "there is no such file";
 }
 
-std::string with_relative_paths(std::string text, const Project& project) {
-  const std::string folder = (project.file.parent_path() / "").string();
-  if (folder.empty()) return text;
+std::string with_relative_paths(std::string text, const std::filesystem::path& folder) {
+  const std::string start = (folder / "").string();
+  if (start.empty()) return text;
   const auto begins_a_path = [&](std::size_t at) {
     constexpr std::string_view before = " \t\n\"'`(=:,<";
     return at == 0 || before.find(text[at - 1]) != std::string_view::npos;
   };
-  for (std::size_t at = text.find(folder); at != std::string::npos; at = text.find(folder, at)) {
+  for (std::size_t at = text.find(start); at != std::string::npos; at = text.find(start, at)) {
     if (begins_a_path(at)) {
-      text.erase(at, folder.size());
+      text.erase(at, start.size());
     } else {
-      at += folder.size();
+      at += start.size();
     }
   }
   return text;

@@ -16,8 +16,8 @@ namespace talus::project {
 /// has no folder.
 [[nodiscard]] std::string why_unreadable(const Project& project, const std::filesystem::path& file);
 
-/// A text in which paths of files in the project's folder are relative to it, however the project itself was named.
-[[nodiscard]] std::string with_relative_paths(std::string text, const Project& project);
+/// A text in which paths of files in a folder, which begin as `folder` does, are relative to it.
+[[nodiscard]] std::string with_relative_paths(std::string text, const std::filesystem::path& folder);
 
 /// The name of an entry of [[table]] in problems: by its name, or by its number if the file does not name it.
 [[nodiscard]] std::string name_in_problems(const Project& project, std::string_view table, std::string_view name,

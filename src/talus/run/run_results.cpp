@@ -165,7 +165,7 @@ void identify(RunDescription& description, const Project& project, const Model& 
   description.sample = sample_of(model);
   description.model = model_json(model);
   for (const Problem& problem : warnings.list())
-    description.warnings.push_back(with_relative_paths(problem.text(), project));
+    description.warnings.push_back(with_relative_paths(problem.text(), project.file.parent_path()));
 }
 
 RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {

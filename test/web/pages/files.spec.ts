@@ -45,6 +45,7 @@ test('a project can be started from a file that exists already', async ({ workbe
 
 const contours = JSON.stringify({
   type: 'FeatureCollection',
+  crs: { type: 'name', properties: { name: 'EPSG:31287' } },
   features: [0, 10, 20].map((z) => ({
     type: 'Feature',
     properties: {},
@@ -58,7 +59,7 @@ test('contours start a project as lines of a survey', async ({ workbench: page, 
   writeFileSync(file, contours);
   await terrainFile(page).setInputFiles(file);
   await expect(page.getByRole('heading', { level: 1 })).toHaveText('contours');
-  expect(await projectText(page)).toContain('lines = "contours.geojson"');
+  await expect.poll(() => projectText(page)).toContain('lines = "contours.geojson"');
 });
 
 test('a setting names the .shp of an uploaded Shapefile', async ({ workbench: page, server }) => {
@@ -87,7 +88,7 @@ test('a truncated list of files is reported', async ({ workbench: page, server }
   await page.getByRole('button', { name: 'Empty, 3D' }).click();
   await expect(cut).toBeVisible();
   await expect(page.getByText(/^and \d+ more, listed under their kinds$/)).toBeVisible();
-  await page.getByRole('button', { name: /^\d+\.csv$/ }).first().click();
+  await page.getByRole('button', { name: /^Survey/ }).click();
   await expect(page.locator('.file-control').first()).toContainText('Only 2,000 files');
 });
 
@@ -100,6 +101,7 @@ test('files can be dropped on every panel', async ({ workbench: page, server }) 
   await expect(page.getByText('Uploaded: notes.txt2.')).toBeVisible();
   await page.getByRole('tab', { name: 'Text' }).click();
   expect(await drop(page, 'b.csv', 'x,y,z\n0,0,0\n10,0,0\n0,10,5\n')).toBe(true);
+  await page.getByRole('dialog', { name: 'What is b.csv?' }).getByRole('button', { name: 'Survey (3D)' }).click();
   await expect(page.getByRole('heading', { name: 'Terrain', level: 2 })).toBeVisible();
   expect(await projectText(page)).toContain('points = "b.csv"');
 });

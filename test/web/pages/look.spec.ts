@@ -17,6 +17,7 @@ test('the rocks of a new run are played, unless the user prefers reduced motion'
 
 test('a click on a trajectory in the section selects its rock', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
+  expect((await page.getByRole('toolbar', { name: 'View' }).boundingBox())!.height).toBeLessThan(40); // one row
   const box = (await page.getByRole('img', { name: /^The slope in section/ }).boundingBox())!;
   // All rocks pass the upper face, so a row of clicks across it hits a trajectory.
   const field = page.getByRole('spinbutton', { name: 'Rock' });

@@ -13,10 +13,13 @@ async function openLibrary(page: Page) {
 }
 
 test('a material is saved, replaced, used in another project, and deleted', async ({ workbench: page, server }) => {
+  const missing: string[] = [];
+  page.on('response', (response) => void (response.status() === 404 && response.url().includes(file) && missing.push(response.url())));
   await openExample(page, 'Tutorial 1, a section');
   await openForm(page, /^Type Two/);
   await saveMaterial(page);
   await expect(page.getByText(`Saved Type Two in ${file}`)).toBeVisible();
+  expect(missing).toEqual([]);
   const today = new Date().toISOString().slice(0, 10);
   const values = `name = "Type Two"
 normal_restitution = { mean = 0.4, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }

@@ -3,7 +3,7 @@
 import { getJson } from '../api/client';
 import type { Point2, Problem } from '../api/types';
 import { inFolder } from '../calibration/observations';
-import { fileFormats } from '../generated/schema';
+import { isPointText } from '../model/fileEndings';
 import { files, fittingName, uploadFiles } from '../model/files';
 import { file } from '../state/document';
 import { notify, resolve } from '../state/messages';
@@ -17,9 +17,6 @@ interface ReadShape {
   kind: 'line' | 'polygon';
   points: Point2[];
 }
-
-const isText = (name: string) =>
-  fileFormats.some(({ ending, kind }) => kind === 'points' && !/^\.la[sz]$/.test(ending) && name.toLowerCase().endsWith(ending));
 
 async function takeText(of: File) {
   const points = pointsOfText(await of.text());
@@ -36,7 +33,7 @@ export async function takeLineFiles(list: readonly File[]) {
   const project = file.value;
   const [first] = list;
   if (project === null || !first) return;
-  if (isText(first.name)) return takeText(first);
+  if (isPointText(first.name)) return takeText(first);
   const uploaded = await uploadFiles(project, list);
   const [name, now] = [fittingName('lines', uploaded, files.value), model.value];
   if (name === undefined || file.value !== project || !now) return;

@@ -2,15 +2,18 @@
 
 import { Dialog } from '../ui/Dialog';
 import { dropped, useDropped } from './dropped';
-import { choicesFor } from './uses';
 import './layers.css';
 
 export function DropDialog() {
   const now = dropped.value;
   if (!now) return null;
-  const { name, kind, shapes, isReading, problems } = now;
+  const { name, isReading, choices, problems } = now;
+  // Browsers say that a dialog is closed with the next frame, when another file may have been dropped.
+  const close = () => {
+    if (dropped.peek()?.name === name) dropped.value = null;
+  };
   return (
-    <Dialog key={name} title={`What is ${name}?`} close={() => (dropped.value = null)}>
+    <Dialog key={name} title={`What is ${name}?`} close={close}>
       {problems.map(({ text, severity }) => (
         <p key={text} class={`problem ${severity}`}>
           {text}
@@ -20,7 +23,7 @@ export function DropDialog() {
         <p class="faint">Reading…</p>
       ) : (
         <div class="drop-uses">
-          {choicesFor(kind, shapes).map(({ use, title, what }) => (
+          {choices.map(({ use, title, what }) => (
             <button key={use} class="button" onClick={() => useDropped(now, use)}>
               <span>{title}</span>
               <span class="faint">{what}</span>

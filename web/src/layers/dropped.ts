@@ -1,24 +1,26 @@
-// Files of a GIS that were dropped on the page: stored beside the project, and then asked what they are.
+// Files that were dropped on the page or imported: stored beside the project, and then asked what they are.
 
-import { signal } from '@preact/signals';
 import { ask } from '../askLine/asked';
 import { getJson, Refused } from '../api/client';
 import type { Problem } from '../api/types';
 import { fileFormats } from '../generated/schema';
 import { changeWay, groundWays } from '../model/groundWays';
 import { files, fittingName, uploadFiles } from '../model/files';
-import type { FileKind } from '../model/fileEndings';
+import { isPointText, type FileKind } from '../model/fileEndings';
 import { materialNames } from '../model/form/references';
 import type { Edit, TableName } from '../model/names';
 import { nameOf, tableAt } from '../model/place';
-import { takeTerrain, terrainOfFile, useTerrainFile } from '../model/terrainFile';
+import { isOfTerrain, takeTerrain, terrainAmong, terrainOfFile, useTerrainFile } from '../model/terrainFile';
+import { kindOf } from '../model/terrainKinds';
+import { sectionEdits } from '../model/sectionFile';
 import { inFolder } from '../calibration/observations';
 import { edit, file, rowsOf } from '../state/document';
 import { ofProject } from '../state/ofProject';
 import { model } from '../state/model';
 import { chosen, isAsking, sidePanel } from '../state/view';
 import { unpacked } from './unzip';
-import { barrierEdits, layerEdits, releaseEdits, type ReadShape, type Use } from './uses';
+import { triedAs, triedBoth } from './triedTerrain';
+import { barrierEdits, choicesFor, layerEdits, refusals, releaseEdits, terrainChoices, type Choice, type ReadShape, type Use } from './uses';
 
 export interface Dropped {
   name: string;
@@ -26,47 +28,75 @@ export interface Dropped {
   /// The lines and areas of a vector file; null while they are read, if there are none, and for rasters.
   shapes: ReadShape[] | null;
   isReading: boolean;
+  choices: Choice[]; // none while it is read
   /// What the server says about the file: no coordinate system, several layers ...
   problems: Problem[];
 }
 /// The file that the dialog asks about.
 export const dropped = ofProject<Dropped | null>(null);
-const reading = signal(0);
 
-const kindOf = (name: string): FileKind | null => fileFormats.find(({ ending }) => name.toLowerCase().endsWith(ending))?.kind ?? null;
+const fileKind = (name: string): FileKind | null => fileFormats.find(({ ending }) => name.toLowerCase().endsWith(ending))?.kind ?? null;
 
 /// Whether one of the files is a raster or a picture.
-export const hasRaster = (list: readonly File[]) => list.some(({ name }) => ['raster', 'picture'].includes(kindOf(name) ?? ''));
+export const hasRaster = (list: readonly File[]) => list.some(({ name }) => ['raster', 'picture'].includes(fileKind(name) ?? ''));
 
-/// Whether a file of this name is asked about: a file of a GIS that is not the present terrain.
-function isAskedAbout(name: string): boolean {
-  const kind = kindOf(name);
-  const terrain = Object.values(tableAt(['terrain'])).flat();
-  return (kind === 'raster' || kind === 'picture' || kind === 'vector') && !terrain.includes(name);
+/// Whether a file of this name can be a section as well as a survey.
+export const isTableOrLines = (name: string) => isPointText(name) || fileKind(name) === 'vector';
+
+const hasTerrain = () => kindOf(tableAt(['terrain'])) !== undefined;
+const isInSpace = () => hasTerrain() && model.value?.dimension === 3;
+
+/// The one of stored files that is asked about: one of a GIS beside a terrain in 3D, otherwise the likeliest terrain; not
+/// the present one.
+function askedAmong(names: readonly string[]): string | undefined {
+  const name = isInSpace() ? fittingName('file', names, files.value, 'layer') : terrainAmong(names)?.name;
+  if (name === undefined || isOfTerrain(name)) return undefined;
+  const isDrawn = isInSpace() && ['raster', 'picture'].includes(fileKind(name) ?? '');
+  return isDrawn || isTableOrLines(name) ? name : undefined;
 }
 
-/// Stores dropped files beside the project. Without a terrain, one that can be the terrain becomes it; with one, the page
-/// asks what a file of a GIS is.
+/// Stores files beside the project, and takes them.
 export async function takeDropped(list: readonly File[]) {
   const project = file.value;
   if (project === null) return;
   const uploaded = await uploadFiles(project, await unpacked(list));
-  if (file.value !== project || uploaded.length === 0) return;
-  const name = fittingName('file', uploaded, files.value, 'layer');
-  const now = model.value;
-  if (name === undefined || !now || now.dimension === 2 || !isAskedAbout(name)) return takeTerrain(uploaded);
-  const kind = kindOf(name)!;
-  const isVector = kind === 'vector';
-  const own = (reading.value = reading.peek() + 1);
-  dropped.value = { name, kind, shapes: null, isReading: isVector, problems: [] };
-  if (!isVector) return;
-  const found = await getJson<{ shapes: ReadShape[]; problems: Problem[] }>(`/api/models/${now.id}/lines?file=${encodeURIComponent(inFolder(name))}`).catch(
-    (error: unknown) => {
-      if (error instanceof Refused) return { shapes: null, problems: error.problems };
-      throw error;
-    },
-  );
-  if (reading.peek() === own && dropped.peek()?.name === name) dropped.value = { name, kind, ...found, isReading: false };
+  if (file.value === project && uploaded.length > 0) await takeStored(uploaded);
+}
+
+/// The page asks what files beside the project are. Without a terrain, one that can only be the terrain becomes it.
+export async function takeStored(names: readonly string[]) {
+  const name = askedAmong(names);
+  if (name === undefined) return takeTerrain(names);
+  const kind = fileKind(name)!;
+  const asked: Dropped = { name, kind, shapes: null, isReading: true, choices: [], problems: [] };
+  dropped.value = asked;
+  try {
+    const found = await readAs(name, kind);
+    if (dropped.peek() !== asked) return;
+    const canBe = (wanted: Use) => found.choices.some(({ use }) => use === wanted);
+    if (!hasTerrain() && canBe('terrain') && !canBe('section')) return useDropped({ ...asked, ...found }, 'terrain');
+    dropped.value = { ...asked, ...found, isReading: false };
+  } catch (error) {
+    if (dropped.peek() === asked) dropped.value = null;
+    throw error;
+  }
+}
+
+/// What a file can be, and what the server says about it.
+async function readAs(name: string, kind: FileKind): Promise<Pick<Dropped, 'shapes' | 'choices' | 'problems'>> {
+  const project = file.value!;
+  if (!isTableOrLines(name)) return { shapes: null, choices: choicesFor(kind, null), problems: [] };
+  if (!isInSpace() || kind !== 'vector') {
+    const tried = await triedBoth(name, project, terrainOfFile(name)!.key);
+    return { shapes: null, choices: terrainChoices(kind, tried), problems: refusals(tried) };
+  }
+  const lines = `/api/models/${model.value!.id}/lines?file=${encodeURIComponent(inFolder(name))}`;
+  const read = getJson<{ shapes: ReadShape[]; problems: Problem[] }>(lines).catch((error: unknown) => {
+    if (error instanceof Refused) return { shapes: null, problems: error.problems };
+    throw error;
+  });
+  const [{ shapes, problems }, section] = await Promise.all([read, triedAs('section', name, project)]);
+  return { shapes, problems, choices: choicesFor(kind, shapes, 'terrain' in section) };
 }
 
 const namesIn = (...keys: TableName[]) => keys.flatMap((key) => rowsOf(key).map((_, index) => nameOf(key, index)));
@@ -100,6 +130,10 @@ export function useDropped({ name, shapes }: Dropped, use: Use) {
       if (!shape) return;
       isAsking.value = true;
       return ask({ kind: shape.kind, points: shape.points }, `ask ${name}`);
+    }
+    case 'section': {
+      if (edit(`use ${name} as the section`, sectionEdits(name, tableAt(['terrain'])))) [chosen.value, sidePanel.value] = [['terrain'], 'model'];
+      return;
     }
     case 'terrain': {
       const terrain = terrainOfFile(name);

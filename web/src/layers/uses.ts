@@ -1,10 +1,10 @@
 // What a dropped file of a GIS can be in the project.
 
-import type { Point2 } from '../api/types';
+import type { Model, Point2, Problem } from '../api/types';
 import type { Edit, Row } from '../model/names';
 import type { FileKind } from '../model/fileEndings';
 
-export type Use = 'layer' | 'barrier' | 'collector' | 'release' | 'ground' | 'ask' | 'terrain' | 'store';
+export type Use = 'layer' | 'barrier' | 'collector' | 'release' | 'ground' | 'ask' | 'section' | 'terrain' | 'store';
 
 export interface ReadShape {
   kind: 'line' | 'polygon';
@@ -17,15 +17,59 @@ export interface Choice {
   what: string;
 }
 
+/// The terrain that the engine builds of a file, or why it does not.
+export type Outcome = { terrain: Pick<Model, 'bounds' | 'facets'> } | { problems: Problem[] };
+export interface Tried {
+  section: Outcome;
+  survey: Outcome;
+}
+
+/// A table of more vertices than this is hardly a section, and is not triangulated only to be asked about.
+export const mostOfSections = 100_000;
+
 /// More lines than this are hardly barriers.
 export const mostBarriers = 50;
 
 const counted = (count: number, one: string) => (count === 1 ? `1 ${one}` : `${count} ${one}s`);
 
-/// What can be chosen for a file; `shapes`: the lines and areas in it, null if it has none or cannot be placed.
-export function choicesFor(kind: FileKind, shapes: readonly ReadShape[] | null): Choice[] {
-  const layer: Choice = { use: 'layer', title: 'Reference layer', what: 'drawn over the terrain; changes no result' };
-  const store: Choice = { use: 'store', title: 'Only store it', what: 'for the forms that choose a file' };
+const layer: Choice = { use: 'layer', title: 'Reference layer', what: 'drawn over the terrain; changes no result' };
+const store: Choice = { use: 'store', title: 'Only store it', what: 'for the forms that choose a file' };
+const section: Choice = { use: 'section', title: 'Section (2D)', what: 'the slope itself, in the order of its points' };
+
+/// Whether the points of a section wander over the plan, as those of a survey do. A section's x is the distance along
+/// its line.
+function isLikelySurvey({ section, survey }: Tried): boolean {
+  if ('problems' in section || 'problems' in survey) return false;
+  if (section.terrain.facets > mostOfSections) return true;
+  const { min, max } = survey.terrain.bounds;
+  const length = section.terrain.bounds.max[0] - section.terrain.bounds.min[0];
+  return length > 2 * Math.hypot(max[0] - min[0], max[1] - min[1]);
+}
+
+/// What a file can be that may be the terrain, the likelier first.
+export function terrainChoices(kind: FileKind, tried: Tried): Choice[] {
+  const of = kind === 'vector' ? 'contours or breaklines' : 'points';
+  const survey: Choice = { use: 'terrain', title: 'Survey (3D)', what: `${of} on plan, joined by triangles` };
+  const both = [...('terrain' in tried.section ? [section] : []), ...('terrain' in tried.survey ? [survey] : [])];
+  return [...(isLikelySurvey(tried) ? both.reverse() : both), store];
+}
+
+/// Why a file is no section, or neither that nor a survey.
+export function refusals({ section, survey }: Tried): Problem[] {
+  if ('terrain' in section) return [];
+  const ofSurvey = 'problems' in survey ? survey.problems : [];
+  const isInBoth = ({ text }: Problem) => section.problems.some((one) => one.text === text) && ofSurvey.some((one) => one.text === text);
+  const withUse = (use: string) => (problem: Problem) => ({ ...problem, text: `As a ${use}: ${problem.text}` });
+  return [
+    ...section.problems.filter(isInBoth),
+    ...section.problems.filter((problem) => !isInBoth(problem)).map(withUse('section')),
+    ...ofSurvey.filter((problem) => !isInBoth(problem)).map(withUse('survey')),
+  ];
+}
+
+/// What can be chosen for a file beside a terrain in 3D; `shapes`: the lines and areas in it, null if it has none or
+/// cannot be placed.
+export function choicesFor(kind: FileKind, shapes: readonly ReadShape[] | null, isSection = false): Choice[] {
   if (kind === 'picture') return [layer, store];
   if (kind === 'raster') return [layer, { use: 'terrain', title: 'The terrain', what: 'its values are elevations, and replace the present terrain' }, store];
   const lines = shapes?.filter((shape) => shape.kind === 'line').length ?? 0;
@@ -40,6 +84,7 @@ export function choicesFor(kind: FileKind, shapes: readonly ReadShape[] | null):
   else if (lines > 0) choices.push({ use: 'release', title: 'Release lines', what: `rocks start along ${counted(lines, 'line')}` });
   if (areas > 0) choices.push({ use: 'ground', title: 'Ground', what: 'materials by an attribute of its areas' });
   if (lines + areas > 0) choices.push({ use: 'ask', title: lines > 0 ? 'A line to ask' : 'An area to ask', what: 'which rocks get there, after a run' });
+  if (isSection) choices.push({ ...section, what: 'a slope along this line, in place of the present terrain' });
   if (lines > 0) choices.push({ use: 'terrain', title: 'The terrain', what: 'contours or breaklines of a survey, in place of the present terrain' });
   return [...choices, store];
 }

@@ -1,6 +1,7 @@
 // The terrain: its kind, its files or vertices, and its rotation.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { takeDropped, takeStored } from '../layers/dropped';
 import { edit, file } from '../state/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
@@ -10,7 +11,7 @@ import { TableForm } from './form/TableForm';
 import { MoreFiles } from './MoreFiles';
 import { tableAt } from './place';
 import { fieldOf } from './settings';
-import { terrainOfFile, takeFiles, useTerrainFile } from './terrainFile';
+import { terrainOfFile } from './terrainFile';
 import { changeTo, kindOf, terrainKinds, type TerrainKind } from './terrainKinds';
 
 export function TerrainForm() {
@@ -65,10 +66,7 @@ const mostFiles = 12; // offered at once
 function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
   useEffect(() => void loadFiles(), []);
   const input = useRef<HTMLInputElement>(null);
-  const fitting = files.value.flatMap(({ name }) => {
-    const terrain = terrainOfFile(name);
-    return terrain ? [{ name: relativeTo(file.value ?? '', name), ...terrain }] : [];
-  });
+  const fitting = files.value.filter(({ name }) => terrainOfFile(name)).map(({ name }) => relativeTo(file.value ?? '', name));
   return (
     <div class="no-terrain">
       <p>No terrain yet. Drop a file here, or choose:</p>
@@ -81,13 +79,13 @@ function NoTerrain({ pick }: { pick: (kind: TerrainKind) => void }) {
         hidden
         multiple
         aria-label="Upload a terrain file"
-        onChange={(event) => void takeFiles(chosenFiles(event.currentTarget)).catch(reportFailure)}
+        onChange={(event) => void takeDropped(chosenFiles(event.currentTarget)).catch(reportFailure)}
       />
       {fitting.length > 0 && (
         <>
           <h3>Files in the folder</h3>
-          {fitting.slice(0, mostFiles).map(({ name, kind, key }) => (
-            <button key={name} class="card" onClick={() => useTerrainFile(name, kind, key)}>
+          {fitting.slice(0, mostFiles).map((name) => (
+            <button key={name} class="card" onClick={() => void takeStored([name]).catch(reportFailure)}>
               <span class="name">{name}</span>
             </button>
           ))}

@@ -11,6 +11,7 @@ import { writeInTurn } from '../state/writes';
 import { edited, valuesOf } from '../toml/edit';
 import type { TomlTable } from '../toml/format';
 import type { Row } from './names';
+import { readFolder } from './files';
 import { freshName } from './place';
 import { isTable } from './tables';
 import { add } from './things';
@@ -41,14 +42,21 @@ interface Stored {
   rows: TomlTable[];
 }
 
-async function read(): Promise<Stored> {
-  let stored: { text: string; saved: string | null };
+/// The file, if the folder has it. It is not asked for otherwise: browsers log what is not found as an error.
+async function readFile(): Promise<{ text: string; saved: string | null }> {
+  const none = { text: '', saved: null };
+  const { files, more } = await readFolder();
+  if (!more && !files.some(({ name }) => name === ownFile)) return none;
   try {
-    stored = await api.project(ownFile);
+    return await api.project(ownFile);
   } catch (error) {
     if (!(error instanceof Refused) || error.status !== 404) throw error;
-    stored = { text: '', saved: null };
+    return none;
   }
+}
+
+async function read(): Promise<Stored> {
+  const stored = await readFile();
   const { material } = valuesOf(stored.text);
   return { ...stored, rows: Array.isArray(material) ? material.filter(isTable) : [] };
 }

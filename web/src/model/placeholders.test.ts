@@ -37,6 +37,13 @@ test('placeholders replace a missing material and seeder', () =>
     seeder: [{ position: [5, 1], rocks: 1 }],
   }));
 
+test('a section in a file is met where it lies', () => {
+  const inFile = '[terrain]\nsection = "profile.csv"\n';
+  const off = { ...error('seeder.0.position'), why: 'the section extends from x = 100 to 140' };
+  expect(valuesOf(withPlaceholders(inFile, [error('')])!)).toMatchObject({ seeder: [{ position: [0, 'surface'] }] });
+  expect(valuesOf(withPlaceholders(inFile, [error(''), off])!)).toMatchObject({ seeder: [{ position: [120, 'surface'] }] });
+});
+
 test('entries with problems are removed, the last first', () => {
   const text = `${terrain}[[material]]\nname = "A"\nrn = 3\n[[seeder]]\nrocks = 0\n[[seeder]]\nrocks = 4\n[[seeder]]\nrocks = 0\n[ground]\ndefault = "B"\n`;
   const next = withPlaceholders(

@@ -22,7 +22,13 @@ function removalFor(problem: Problem): Edit | null {
 /// A position on the terrain: the first vertex of a section, or the middle of the extent that the engine reports.
 function positionOn(terrain: Row<'terrain'>, problems: readonly Problem[]): TomlValue[] {
   const { section } = terrain;
-  if (Array.isArray(section) && terrain.width_m === undefined && Array.isArray(section[0])) return section[0];
+  const isFlat = section !== undefined && terrain.width_m === undefined;
+  if (isFlat && Array.isArray(section) && Array.isArray(section[0])) return section[0];
+  if (isFlat) {
+    const ends = problems.map(({ why }) => /x = (\S+) to ([^\s)]+)/.exec(why)?.slice(1).map(Number));
+    const [left, right] = ends.find((pair) => pair?.every(Number.isFinite)) ?? [0, 0];
+    return [(left! + right!) / 2, 'surface'];
+  }
   const extents = problems.map(({ why }) =>
     /x = (\S+) to (\S+), y = (\S+) to ([^\s)]+)/.exec(why)?.slice(1).map(Number),
   );

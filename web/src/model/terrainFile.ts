@@ -1,13 +1,12 @@
 // Uses a file as the terrain: chosen, uploaded, or dropped on the page.
 
-import { edit, file } from '../state/document';
+import { edit } from '../state/document';
 import { notify, reportFailure } from '../state/messages';
 import { chosen, sidePanel } from '../state/view';
-import { uploadFiles } from './files';
 import { fileFormats } from '../generated/schema';
 import { type FileKind } from './fileEndings';
 import { tableAt } from './place';
-import { changeTo, kindOf, terrainKinds } from './terrainKinds';
+import { changeTo, terrainKinds } from './terrainKinds';
 import type { KeyOf } from './names';
 
 /// What a file can be, the likeliest terrain first: the kind and the key of the terrain. A vector file is as often
@@ -48,18 +47,12 @@ export function useTerrainFile(name: string, kindName: string, key: KeyOf<'terra
   edit(`use ${name} as the terrain`, [...edits, { set: ['terrain', key] as const, value: name }]);
 }
 
-/// Uploads dropped files next to the project. One that can be a terrain becomes the terrain.
-export async function takeFiles(list: readonly File[]) {
-  const project = file.value;
-  if (project === null) return;
-  const uploaded = await uploadFiles(project, list);
-  if (file.value === project) takeTerrain(uploaded);
-}
+/// Whether the present terrain is of this file, named as in the project.
+export const isOfTerrain = (name: string) => Object.values(tableAt(['terrain'])).flat().includes(name);
 
-/// The one of uploaded files that can be a terrain becomes the terrain.
+/// The one of uploaded files that can be a terrain becomes the terrain, if it is not yet.
 export function takeTerrain(uploaded: readonly string[]) {
-  const hasTerrain = kindOf(tableAt(['terrain'])) !== undefined;
-  const taken = terrainAmong(hasTerrain ? uploaded.filter((name) => kindOfFile(name) !== 'vector') : uploaded);
+  const taken = terrainAmong(uploaded.filter((name) => !isOfTerrain(name)));
   if (taken) {
     useTerrainFile(taken.name, taken.kind, taken.key);
     chosen.value = ['terrain'];

@@ -10,7 +10,6 @@ export function EndReasons({ reasons, of, file }: { reasons: Record<string, Numb
         caption="End reasons"
         file={file}
         hasHeads
-        exact
         columns={[
           { key: 'end_reason', title: 'End reason', isText: true },
           { key: 'rocks', title: 'Rocks' },

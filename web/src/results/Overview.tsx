@@ -56,11 +56,11 @@ export function Overview({ run }: { run: Run }) {
         <dl>
           <dt>Rocks</dt>
           <dd>
-            {summary.rocks.done}
-            {summary.rocks.done !== summary.rocks.planned && ` of ${summary.rocks.planned}: the run was stopped`}
+            {numberText(Number(summary.rocks.done))}
+            {summary.rocks.done !== summary.rocks.planned && ` of ${numberText(Number(summary.rocks.planned))}: the run was stopped`}
           </dd>
           <dt>Impacts and other events</dt>
-          <dd>{summary.events}</dd>
+          <dd>{numberText(Number(summary.events))}</dd>
           <dt>Seed</dt>
           <dd>{summary.seed}</dd>
           <dt>Run time</dt>

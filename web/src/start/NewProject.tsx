@@ -5,6 +5,7 @@ import { chosenFiles, files, uploadFiles } from '../model/files';
 import { endingsOf } from '../model/fileEndings';
 import { terrainAmong, terrainOfFile } from '../model/terrainFile';
 import { api } from '../api/client';
+import { isTableOrLines, takeStored } from '../layers/dropped';
 import { localDrafts } from '../state/localDrafts';
 import { notify, reportFailure } from '../state/messages';
 import { start } from '../state/opening';
@@ -19,12 +20,15 @@ async function takenNames(): Promise<string[]> {
   return [...files.map(({ name }) => name), ...drafts, ...localDrafts()];
 }
 
-/// Opens a new project. Without a name it is named after its terrain file.
+/// Opens a new project. Without a name it is named after its terrain file. Of a file that can be several kinds of
+/// terrain, the page asks which.
 export async function begin(name: string, beginning: Beginning) {
   const projectName = name.trim() || (beginning.kind === 'file' ? beginning.name.replace(/\.[^.]+$/, '') : 'New slope');
-  start(fileNameOf(projectName, await takenNames()), firstText(projectName, beginning));
+  const asked = beginning.kind === 'file' && isTableOrLines(beginning.name) ? beginning.name : null;
+  start(fileNameOf(projectName, await takenNames()), firstText(projectName, asked === null ? beginning : { kind: 'space' }));
   sidePanel.value = 'model';
-  chosen.value = beginning.kind === 'file' ? null : ['terrain'];
+  chosen.value = beginning.kind === 'file' && asked === null ? null : ['terrain'];
+  if (asked !== null) await takeStored([asked]);
 }
 
 /// Uploads files, and opens a new project if one of them can be a terrain.

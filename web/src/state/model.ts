@@ -37,10 +37,7 @@ async function ask(isWanted: (next: Model) => boolean) {
   const begun = performance.now();
   const name = file.value;
   try {
-    const answer = await api.model(name, text.value, own.signal);
-    const { model: shown, found } = answer.model
-      ? { model: answer.model, found: answer.problems }
-      : await buildWithPlaceholders(name, text.value, answer.problems, own.signal);
+    const { model: shown, found } = await modelOf(name, text.value, own.signal);
     if (own.signal.aborted) return;
     resolve('model');
     lastTook = performance.now() - begun;
@@ -59,8 +56,15 @@ async function ask(isWanted: (next: Model) => boolean) {
   }
 }
 
+/// The model of a text and its problems; entries with errors are left out, and missing ones are replaced.
+export async function modelOf(name: string, now: string, signal?: AbortSignal) {
+  const answer = await api.model(name, now, signal);
+  if (answer.model) return { model: answer.model, found: answer.problems };
+  return buildWithPlaceholders(name, now, answer.problems, signal);
+}
+
 /// The model of a text that cannot run yet, with placeholders for missing entries, and the problems of the text.
-async function buildWithPlaceholders(name: string, now: string, ofText: Problem[], signal: AbortSignal) {
+async function buildWithPlaceholders(name: string, now: string, ofText: Problem[], signal?: AbortSignal) {
   let [next, current]: [string | null, Problem[]] = [now, ofText];
   // Problems of seeders on the terrain are only found once the terrain can be built.
   for (let round = 0; round < 3; ++round) {
