@@ -122,6 +122,7 @@ struct ReportOptions {
   std::filesystem::path observed;     // stops to compare with; empty: none
   std::filesystem::path pdf;          // to print to, instead of a page; empty: none
   std::string paper;                  // "A4" or "A3"; empty: the project's
+  std::string units;                  // "metric" or "us"; empty: the project's
   std::vector<std::string> settings;  // of [report], which override the project's
 };
 int report(const ReportOptions& options);

@@ -296,6 +296,10 @@ int dispatch(int argc, char** argv) {
       ->type_name("FILE.pdf");
   report_command->add_option("--paper", report_options.paper, "Paper, instead of the project's")->type_name("A4|A3");
   report_command
+      ->add_option("--units", report_options.units,
+                   "Units of results, instead of the project's: metric, or US customary. Other files stay metric")
+      ->type_name("metric|us");
+  report_command
       ->add_option("--set", report_options.settings,
                    "Override a setting of [report], for example --set report.author=\"A. Meier\"; repeatable")
       ->type_name("KEY=VALUE")

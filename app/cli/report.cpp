@@ -23,6 +23,7 @@ namespace {
 ReportChanges changes_of(const ReportOptions& options) {
   std::vector<std::string> settings = options.settings;
   if (!options.paper.empty()) settings.push_back("report.paper=" + options.paper);
+  if (!options.units.empty()) settings.push_back("report.units=" + options.units);
   project::TitleBlockSettings block = project::title_block_settings(settings);
   return {std::move(block.given), std::move(block.logo)};
 }

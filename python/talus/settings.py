@@ -817,8 +817,8 @@ class Output(Table):
 
 @dataclass(kw_only=True)
 class Report(Table):
-    """[report]: The title block and the paper of the report. They change no result: a run can be resumed after a
-    change, and `talus report --set report.author=...` overrides them.
+    """[report]: The title block, the paper and the units of the report. They change no result: a run can be resumed
+    after a change, and `talus report --set report.author=...` overrides them.
 
     client: For whom the analysis is made. Without it: left out.
 
@@ -841,6 +841,9 @@ class Report(Table):
     relative to the project file. Without it: left out.
 
     paper: Paper of the printed report: A4 upright or A3 lengthwise. Default: "A4".
+
+    units: Units of the report's results: metric, or US customary (ft, ft/s, lb, kip-ft). Its reader can change
+    them. Inputs, coordinates on maps and all other files are metric always. Default: "metric".
     """
 
     client: str | None = None
@@ -853,6 +856,7 @@ class Report(Table):
     text: str | None = None
     logo: File | None = None
     paper: Literal["A4", "A3"] | None = None
+    units: Literal["metric", "us"] | None = None
 
 
 @dataclass(kw_only=True)

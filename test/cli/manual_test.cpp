@@ -68,6 +68,7 @@ TEST(TalusCompletion, OffersCommandsOptionsAndValuesInBash) {
   EXPECT_EQ(completed("talus run a.toml --threads ''"), "\n");
   EXPECT_EQ(completed("talus line c --line ''"), "c a.toml b.csv\n");
   EXPECT_EQ(completed("talus report c --paper ''"), "A4 A3\n");
+  EXPECT_EQ(completed("talus report c --units ''"), "metric us\n");
   EXPECT_EQ(completed("talus completion f"), "fish\n");
 }
 

@@ -268,5 +268,17 @@ TEST_F(ReportPdf, OverridesOfOtherTablesAreRefused) {
   EXPECT_THAT(work.read("out/report.html"), HasSubstr("D. Huber"));
 }
 
+TEST_F(ReportPdf, UnitsOtherThanTheTwoAreRefused) {
+  run("2d");
+  const std::string before = work.read("out/report.html");
+  const Said said = talus_says("report " + out() + " --units imperial");
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_EQ(said.text,
+            "--set report.units=imperial: [report]: units is \"imperial\" (expected \"metric\" or \"us\")\n");
+  EXPECT_EQ(work.read("out/report.html"), before);
+  EXPECT_EQ(talus_says("report " + out() + " --units us").exit_code, 0);
+  EXPECT_THAT(work.read("out/report.html"), HasSubstr("\"units\":\"us\""));
+}
+
 }  // namespace
 }  // namespace talus::test

@@ -32,6 +32,7 @@ date = "May 2026"
 text = "For approval"
 logo = "logo.png"
 paper = "A3"
+units = "us"
 [analysis]
 model = "rigid_sphere"
 rotation = true

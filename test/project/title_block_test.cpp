@@ -34,9 +34,11 @@ TEST_F(TitleBlockFile, IsEchoed) {
   EXPECT_EQ(message(keys), "was read");
   const Reading reading = read_project(path("slope.toml"));
   EXPECT_EQ(reading.warnings.text(), "");
-  EXPECT_EQ(echo(reading.project).at("report").dump(),
-            R"({"client":"Bergheim","author":"A. Meier","revision":"B","logo":"logo.png","paper":"A3"})");
-  EXPECT_EQ(echo(read_project_text(good_project, "slope.toml").project).at("report").dump(), R"({"paper":"A4"})");
+  EXPECT_EQ(
+      echo(reading.project).at("report").dump(),
+      R"({"client":"Bergheim","author":"A. Meier","revision":"B","logo":"logo.png","paper":"A3","units":"metric"})");
+  EXPECT_EQ(echo(read_project_text(good_project, "slope.toml").project).at("report").dump(),
+            R"({"paper":"A4","units":"metric"})");
 }
 
 TEST_F(TitleBlockFile, RefusesOtherPapersAndLogos) {
@@ -58,7 +60,9 @@ TEST_F(TitleBlockFile, ChangesNoResult) {
     return fingerprint_of(echo(reading.project), build_model(reading.project, warnings));
   };
   const std::string plain = fingerprint(good_project);
-  EXPECT_EQ(fingerprint(good_project + std::string("\n[report]\nauthor = \"A. Meier\"\npaper = \"A3\"\n")), plain);
+  EXPECT_EQ(
+      fingerprint(good_project + std::string("\n[report]\nauthor = \"A. Meier\"\npaper = \"A3\"\nunits = \"us\"\n")),
+      plain);
   EXPECT_NE(fingerprint(good_project + std::string("\n[sampling]\nseed = 2\n")), plain);
 }
 
@@ -72,8 +76,8 @@ std::string refusal_of_overrides(const std::vector<std::string>& overrides) {
 
 TEST_F(TitleBlockFile, OverridesHaveOnlyWhatIsGiven) {
   EXPECT_EQ(refusal_of_overrides({}), "{}");
-  EXPECT_EQ(refusal_of_overrides({"report.author=A. Meier", "report.paper=A3"}),
-            R"({"author":"A. Meier","paper":"A3"})");
+  EXPECT_EQ(refusal_of_overrides({"report.author=A. Meier", "report.paper=A3", "report.units=us"}),
+            R"({"author":"A. Meier","paper":"A3","units":"us"})");
   write("logo.png", small_png(20, 10));
   const TitleBlockSettings settings = title_block_settings({"report.logo=" + path("logo.png").string()});
   EXPECT_TRUE(settings.logo.starts_with("data:image/png;base64,iVBOR")) << settings.logo;
@@ -81,11 +85,12 @@ TEST_F(TitleBlockFile, OverridesHaveOnlyWhatIsGiven) {
 
 TEST_F(TitleBlockFile, OverridesOfResultsAreRefused) {
   EXPECT_EQ(
-      refusal_of_overrides({"sampling.seed=2", "report.autor=A. Meier", "report.paper=A5"}),
+      refusal_of_overrides({"sampling.seed=2", "report.autor=A. Meier", "report.paper=A5", "report.units=ft"}),
       "--set sampling.seed=2: sampling cannot be set here (a report is made of finished results; only settings of "
       "[report] can be given). Run the project again with this setting\n"
       "--set report.autor=A. Meier: [report]: unknown key \"autor\". Did you mean \"author\"?\n"
-      "--set report.paper=A5: [report]: paper is \"A5\" (expected \"A4\" or \"A3\")");
+      "--set report.paper=A5: [report]: paper is \"A5\" (expected \"A4\" or \"A3\")\n"
+      "--set report.units=ft: [report]: units is \"ft\" (expected \"metric\" or \"us\")");
   EXPECT_EQ(
       refusal_of_overrides({"report.logo=not-there.png"}),
       "--set report.logo=not-there.png: [report]: logo is \"not-there.png\" (No such file or directory). Name a PNG "

@@ -263,6 +263,7 @@ struct Design {
 };
 
 enum class Paper { a4, a3 };
+enum class ReportUnits { metric, us };  // us: US customary
 
 /// [report]: the title block of the report. It changes no result.
 struct TitleBlock {
@@ -271,6 +272,7 @@ struct TitleBlock {
   std::string text;            // any further text
   std::filesystem::path logo;  // a PNG or JPEG picture; as written in the file, relative to the project file
   Paper paper = Paper::a4;
+  ReportUnits units = ReportUnits::metric;
 };
 
 /// [[layer]]: a raster or vector file that is drawn over the terrain for reference. It changes no result.

@@ -47,6 +47,7 @@ inline constexpr std::tuple enumerations{
     worded<DesignLevel>("MEL", "SEL"),
     worded<DesignEnergy>("translational", "total"),
     worded<Paper>("A4", "A3"),
+    worded<ReportUnits>("metric", "us"),
 };
 
 template <class Enumeration, class... Listed>

@@ -6,7 +6,7 @@ import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, utimesSync, writ
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-const program = process.env.TALUS_PROGRAM ?? join(import.meta.dirname, '../../../build/talus');
+export const program = process.env.TALUS_PROGRAM ?? join(import.meta.dirname, '../../../build/talus');
 export const sources = process.env.TALUS_SOURCE_DIR ?? join(import.meta.dirname, '../../..');
 
 export class Server {

@@ -75,7 +75,7 @@ export function curvesOf(columns: readonly string[], key: string): Curve[] {
 export interface Cells {
   name: string;
   colour: string;
-  /// The centre of each cell as in the file, and its edges [m], ascending.
+  /// The centre of each cell as in the file, and its edges, ascending [m, or `xUnit` of a figure].
   x: readonly number[];
   from: readonly number[];
   to: readonly number[];
@@ -87,6 +87,8 @@ export interface Envelope extends EnvelopeQuantity {
   of: readonly Cells[];
   /// Barriers in the section.
   walls: readonly { name: string; x: number }[];
+  /// Of the places of cells and walls.
+  xUnit?: string;
 }
 
 const curvesIn = ({ values }: Cells, key: string, isOne: boolean) => {
@@ -94,7 +96,7 @@ const curvesIn = ({ values }: Cells, key: string, isOne: boolean) => {
   return isOne ? curves : curves.slice(0, 1);
 };
 
-export function envelope(element: SVGSVGElement, room: Room, { key, title, unit, per, of, walls }: Envelope) {
+export function envelope(element: SVGSVGElement, room: Room, { key, title, unit, per, of, walls, xUnit = 'm' }: Envelope) {
   const svg = openDrawing(element, room);
   const isOne = of.length === 1;
   const lines = of.flatMap((cells) =>
@@ -115,7 +117,7 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
       0.02,
     ),
     y: [low, walls.length > 0 ? 1.12 * high : high], // space for their names
-    xLabel: 'x [m]',
+    xLabel: `x [${xUnit}]`,
     yLabel: titleOf({ title, unit }),
     entries:
       lines.length > 1 ? lines.map((line) => ({ text: line.text, draw: drawnBy(line), switches: line.group })) : [],
@@ -156,7 +158,7 @@ export function envelope(element: SVGSVGElement, room: Room, { key, title, unit,
   const middles = first.x;
   readAlong(svg, plot, middles, (k) =>
     [
-      `x ${rangeText(first.from[k]!, first.to[k]!, 'm')}`,
+      `x ${rangeText(first.from[k]!, first.to[k]!, xUnit)}`,
       ...lines.map(({ text, cells, values }) => {
         const here = values[cells.from.findIndex((low, c) => low <= middles[k]! && middles[k]! < cells.to[c]!)] ?? null;
         return `${text} ${here === null ? '–' : valueText(here, unit)}`.trim();

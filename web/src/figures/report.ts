@@ -20,3 +20,4 @@ export { axes, extentOf, legend, pointIn, sign } from './plot';
 export * from './tip';
 export * from './tornado';
 export { hasEffect } from '../settings/conditions';
+export { displayedIn } from '../units/units';

@@ -316,7 +316,7 @@ export const schema = {
     },
     "report": {
       "type": "object",
-      "description": "The title block and the paper of the report. They change no result: a run can be resumed after a change, and `talus report --set report.author=...` overrides them.",
+      "description": "The title block, the paper and the units of the report. They change no result: a run can be resumed after a change, and `talus report --set report.author=...` overrides them.",
       "properties": {
         "client": {"type":"string","minLength":1,"description":"For whom the analysis is made.","x-without-it":"left out","x-source":"Talus"},
         "project": {"type":"string","minLength":1,"description":"The work or site that the analysis belongs to; the project's `name` is the title of the sheet.","x-without-it":"left out","x-source":"Talus"},
@@ -328,6 +328,7 @@ export const schema = {
         "text": {"type":"string","minLength":1,"description":"Any further text, such as a status or a note.","x-without-it":"left out","x-source":"Talus"},
         "logo": {"type":"string","minLength":1,"x-file":true,"description":"A picture in the title block: a PNG or JPEG file of at most 512 kB and 4000 pixels a side. The path is relative to the project file.","x-without-it":"left out","x-source":"Talus"},
         "paper": {"enum":["A4","A3"],"description":"Paper of the printed report: A4 upright or A3 lengthwise.","default":"A4","x-source":"ISO 216"},
+        "units": {"enum":["metric","us"],"description":"Units of the report's results: metric, or US customary (ft, ft/s, lb, kip-ft). Its reader can change them. Inputs, coordinates on maps and all other files are metric always.","default":"metric","x-source":"NIST Special Publication 811 (2008), appendix B.8"},
       },
       "additionalProperties": false,
       "x-topic": {"document":"sheet.md","heading":"The title block"},

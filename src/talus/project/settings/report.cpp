@@ -19,7 +19,7 @@ Table report_table() {
   return {
       .key = "report",
       .meaning =
-          "The title block and the paper of the report. They change no result: a run can be resumed after a "
+          "The title block, the paper and the units of the report. They change no result: a run can be resumed after a "
           "change, and `talus report --set report.author=...` overrides them.",
       .settings =
           {
@@ -42,6 +42,12 @@ Table report_table() {
                .slot = member(&TitleBlock::paper),
                .meaning = "Paper of the printed report: A4 upright or A3 lengthwise.",
                .source = "ISO 216"},
+              {.key = "units",
+               .slot = member(&TitleBlock::units),
+               .meaning =
+                   "Units of the report's results: metric, or US customary (ft, ft/s, lb, kip-ft). Its reader can "
+                   "change them. Inputs, coordinates on maps and all other files are metric always.",
+               .source = "NIST Special Publication 811 (2008), appendix B.8"},
           },
       .topic = topics::sheet,
       .add = add,

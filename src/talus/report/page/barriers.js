@@ -12,21 +12,21 @@ function hitFigure(parent, name) {
       const side = {left: 62, right: width - 12, top: 12, bottom: 232};
       const walls = runs.flatMap((run) => barriersOf(run).filter((b) => b.name === name && isNumber(b.height_m)));
       const top = d3.max(walls, (b) => b.height_m);
-      const toX = d3.scaleLinear().domain(extentOf([0, ...all.map((h) => h.ke_translational / 1000)])).range([side.left, side.right]);
+      const toX = d3.scaleLinear().domain(extentOf([0, ...all.map((h) => h.ke_translational)])).range([side.left, side.right]);
       const toY = d3.scaleLinear().domain(extentOf([0, ...(top ? [top] : []), ...all.map((h) => h.height)], 0.05)).range([side.bottom, side.top]);
-      axes(svg, toX, toY, side, {xLabel: 'Translational kinetic energy [kJ]', yLabel: 'Impact height [m]'});
+      axes(svg, axisIn('J', toX), axisIn('m', toY), side, {xLabel: `Translational kinetic energy [${unitIn('J')}]`, yLabel: `Impact height [${unitIn('m')}]`});
       for (const height of new Set(walls.map((b) => b.height_m))) {
         svg.append('line').attr('class', 'barrier').style('stroke-width', 1.5).attr('x1', side.left).attr('x2', side.right).attr('y1', toY(height)).attr('y2', toY(height));
-        svg.append('text').attr('class', 'barrier-name halo').attr('x', side.left + 6).attr('y', toY(height) + 14).text(`top, ${number(height)} m`);
+        svg.append('text').attr('class', 'barrier-name halo').attr('x', side.left + 6).attr('y', toY(height) + 14).text(`top, ${givenLength(height)}`);
       }
       tip(svg.append('g').selectAll('circle').data(all).enter().append('circle').attr('class', 'dot').attr('r', 3.4).style('--run', (h) => h.run.colour)
-        .attr('cx', (h) => toX(h.ke_translational / 1000)).attr('cy', (h) => toY(h.height)),
+        .attr('cx', (h) => toX(h.ke_translational)).attr('cy', (h) => toY(h.height)),
       (h) => `Rock ${h.rock}: ${h.outcome}` + (single ? '' : ` · ${h.run.label}`) +
-        `\nheight ${metres(h.height)}, angle ${measured(h.angle, 3)}°\ntranslational ${measured(kJ(h.ke_translational))} kJ, total ${measured(kJ(h.ke_total))} kJ\nat x ${metres(h.x)}, y ${metres(h.y)}, z ${metres(h.z)}`);
+        `\nheight ${lengthText(h.height)}, angle ${measured(h.angle, 3)}°\ntranslational ${energyText(h.ke_translational)}, total ${energyText(h.ke_total)}\nat ${placeText(h.run, h, true)}`);
       return single ? side.bottom + 42 : legend(svg, shown.map((s) => ({text: s.run.label, draw: sign.circle('dot', s.run.colour)})), side.left, side.bottom + 54, side.right) + 12;
     },
     rows: () => [['run', 'rock', 'impact_height_m', 'angle_deg', 'ke_translational_kJ', 'ke_total_kJ', 'outcome'],
-      ...all.map((h) => [h.run.label, h.rock, h.height, h.angle, h.ke_translational / 1000, h.ke_total / 1000, h.outcome])],
+      ...all.map((h) => [h.run.label, h.rock, h.height, h.angle, kJ(h.ke_translational), kJ(h.ke_total), h.outcome])],
   });
 }
 
@@ -49,7 +49,7 @@ function countRows(kind, of) {
     ...(runs.some((run) => isNumber(of(run).rocks_hit)) ? [row(rocks, (b) => b.rocks_hit)] : []),
     ...outcomes.map((word) => row(`Hits: ${word}`, (b) => (b.outcomes || {})[word])),
     row('Rocks that passed above', (b) => b.passed_above),
-    [{text: 'Minimum clearance above', unit: 'm'}, ...runs.map((run) => measured(of(run).least_clearance_m, 3))],
+    [{text: 'Minimum clearance above', unit: unitIn('m')}, ...runs.map((run) => resultIn('m', of(run).least_clearance_m, 3))],
   ];
 }
 
@@ -64,11 +64,11 @@ function barrierSections(parent) {
     table(facts, {head: [['', ...(single ? ['Number'] : runs.map((run) => ({text: run.label, run})))]], rows: countRows(kind, of), numeric: (column) => column > 0});
     if (runs.some((run) => of(run).passed_above > 0)) element(facts, 'p', passedAboveText(name), {class: 'quiet'});
     hitFigure(box, name);
-    histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', column: 'ke_translational_J', unit: 'kJ', per: 1000, thing: 'hit', of: (run) => (of(run).histograms || {}).ke_translational_J});
+    histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', column: 'ke_translational_J', unit: 'J', thing: 'hit', of: (run) => (of(run).histograms || {}).ke_translational_J});
     histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', column: 'impact_height_m', unit: 'm', thing: 'hit', of: (run) => (of(run).histograms || {}).impact_height_m});
     statisticsTable(parent, runs, [
-      {text: 'Translational energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_translational_J},
-      {text: 'Total kinetic energy', unit: 'kJ', per: 1000, of: (run) => (of(run).statistics || {}).ke_total_J},
+      {text: 'Translational energy', unit: 'J', of: (run) => (of(run).statistics || {}).ke_translational_J},
+      {text: 'Total kinetic energy', unit: 'J', of: (run) => (of(run).statistics || {}).ke_total_J},
       {text: 'Impact height', unit: 'm', of: (run) => (of(run).statistics || {}).impact_height_m},
       {text: 'Velocity', unit: 'm/s', of: (run) => (of(run).statistics || {}).velocity_m_s},
     ], 'Descriptive statistics of the hits');

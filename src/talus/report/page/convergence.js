@@ -1,6 +1,6 @@
 // How the figures develop with the number of rocks, and how many rocks would make them precise.
 
-const figureUnit = (figure) => figure.unit === 'J' ? {unit: 'kJ', per: 1000} : figure.unit ? {unit: figure.unit, per: 1} : {unit: '%', per: 0.01};
+const figureUnit = (figure) => displayOf(figure.unit || 'share');
 const figureTitle = (figure) => figure.text.charAt(0).toUpperCase() + figure.text.slice(1) + (figure.line ? `: ${figure.line}` : '');
 
 // The larger distance from the value to an end of its interval, relative to the value; null without both ends.

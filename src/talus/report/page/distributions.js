@@ -1,8 +1,9 @@
 // Histograms and box plots from the summary's counts and quartiles. Two runs have the same bins and are shown side by
 // side, as shares of each run.
 
-// `of(run)` returns {low, width, counts}; values of the files are divided by `per` for display; `thing` is what is counted.
-function histogramFigure(parent, {title, quantity, column, unit, per = 1, of, thing = 'rock', tall = 254}) {
+// `of(run)` returns {low, width, counts} in the data's `unit`; `thing` is what is counted.
+function histogramFigure(parent, {title, quantity, column, unit: ofData, of, thing = 'rock', tall = 254}) {
+  const {unit, per} = displayOf(ofData);
   const shown = runs.filter((run) => of(run) && of(run).counts.some((n) => n > 0));
   if (!shown.length) return false;
   const series = shown.map((run) => {
@@ -20,8 +21,9 @@ function histogramFigure(parent, {title, quantity, column, unit, per = 1, of, th
   return true;
 }
 
-// `of(run)` returns statistics with quartiles, minimum, maximum and mean.
-function boxFigure(parent, {title, quantity, column, unit, per = 1, of}) {
+// `of(run)` returns statistics with quartiles, minimum, maximum and mean, in the data's `unit`.
+function boxFigure(parent, {title, quantity, column, unit: ofData, of}) {
+  const {unit, per} = displayOf(ofData);
   const shown = runs.filter((run) => {
     const s = of(run);
     return s && Array.isArray(s.quartiles) && s.quartiles.length === 3 && s.quartiles.every(isNumber) && isNumber(s.minimum) && isNumber(s.maximum);
@@ -51,7 +53,7 @@ function distributionFigures(parent) {
   const hasBoxes = [
     boxFigure(boxes, {...endX, title: 'Box plot of end points', of: inSection((run) => run.statistics.end_x_m)}),
     boxFigure(boxes, {...runout, title: 'Box plot of runout', of: (run) => run.statistics.runout_xy_m}),
-    boxFigure(boxes, {title: 'Box plot of maximum energy', quantity: 'Maximum total kinetic energy of each rock', column: 'max_ke_J', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J}),
+    boxFigure(boxes, {title: 'Box plot of maximum energy', quantity: 'Maximum total kinetic energy of each rock', column: 'max_ke_J', unit: 'J', of: (run) => run.statistics.max_ke_J}),
     boxFigure(boxes, {title: 'Box plot of maximum bounce height', quantity: 'Maximum bounce height of each rock', column: 'max_bounce_m', unit: 'm', of: (run) => run.statistics.max_bounce_m}),
   ].some(Boolean);
   if (!hasEnds && !hasRunout && !hasBoxes) element(parent, 'p', 'The summary has no histograms.', {class: 'quiet'});

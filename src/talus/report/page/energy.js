@@ -1,15 +1,15 @@
 // Mechanical, kinetic and potential energy of one rock along its trajectory.
 
 const energyAxes = {
-  x: {text: 'x', label: 'x [m]', of: (rows) => rows.map((row) => row.x)},
+  x: {text: 'x', label: 'x', unit: 'm', of: (rows) => rows.map((row) => row.x)},
   travelled: {
-    text: 'distance travelled', label: 'Distance travelled on plan [m]',
+    text: 'distance travelled', label: 'Distance travelled on plan', unit: 'm',
     of(rows) {
       let sum = 0;
       return rows.map((row, i) => i === 0 ? 0 : sum += Math.hypot(row.x - rows[i - 1].x, row.y - rows[i - 1].y));
     },
   },
-  time: {text: 'time', label: 'Time since release [s]', of: (rows) => rows.map((row) => row.time)},
+  time: {text: 'time', label: 'Time since release', unit: 's', of: (rows) => rows.map((row) => row.time)},
 };
 
 // The weight of a rock [N], from the potential energies at its lowest and highest row; 0 if its height never changes.
@@ -19,12 +19,13 @@ function weightOf(rows) {
 }
 
 // In flight every axis above is linear in time, and the energies are quadratic in it.
-function energyRows(rows, axis) {
-  const places = energyAxes[axis].of(rows), weight = weightOf(rows);
+function energyRows(run, rows, axis) {
+  const {of, unit} = energyAxes[axis];
+  const places = of(rows), weight = weightOf(rows);
   return rows.map((row, i) => ({
-    place: places[i], translational: row.ke_translational, rotational: row.ke_rotational, potential: row.pe,
+    place: amountIn(unit, places[i]), translational: row.ke_translational, rotational: row.ke_rotational, potential: row.pe,
     rise: row.state === 'projectile' && i + 1 < rows.length ? weight * row.vz * (rows[i + 1].time - row.time) / 2 : null,
-    text: `${row.state} at ${measured(row.time)} s\nx ${metres(row.x)}, z ${metres(row.z)}`,
+    text: `${row.state} at ${measured(row.time)} s\nx ${xyText(run, row.x)}, z ${lengthText(row.z)}`,
   }));
 }
 
@@ -37,7 +38,7 @@ function energyFigure(parent, run, width) {
     label: 'Mechanical, total kinetic and potential energy of the selected rock along its trajectory',
     caption: 'Total kinetic energy is translational plus rotational; mechanical energy is total kinetic plus potential energy. Potential energy is measured from the datum of the model. Dots are the recorded events; a vertical drop is the loss at an impact.',
     width, tall: width === drawing.wide ? 320 : 338,
-    fill: (element, room) => figures.energy(element, room, {xLabel: energyAxes[axis].label, rows: energyRows(choice.rocks[run.index].rows, axis), hasDots: true}),
+    fill: (element, room) => figures.energy(element, room, {xLabel: `${energyAxes[axis].label} [${unitIn(energyAxes[axis].unit)}]`, rows: energyRows(run, choice.rocks[run.index].rows, axis), hasDots: true, ...displayOf('J')}),
     rows: () => [['rock', 'state', 'time_s', 'x_m', 'y_m', 'z_m', 'ke_translational_J', 'ke_rotational_J', 'pe_J'],
       ...choice.rocks[run.index].rows.map((row) => [choice.rocks[run.index].rock, row.state, row.time, row.x, row.y, row.z, row.ke_translational, row.ke_rotational, row.pe])],
   });

@@ -22,10 +22,16 @@ function envelopeFigure(parent, quantity) {
   const walls = shown.flatMap((run) => barriersOf(run).map((barrier) => ({name: barrier.name, x: (barrierLine(barrier)[0] || [])[0]})))
     .filter((wall, i, all) => isNumber(wall.x) && all.findIndex((w) => w.name === wall.name && w.x === wall.x) === i);
   const of = shown.map(envelopeCells);
+  const {unit, per} = displayOf(quantity.unit);
+  const along = (xs) => xs.map((x) => amountIn('m', x));
   const title = `${quantity.title} along the section`;
   figure(parent, {
-    title, label: `${title}, in ${quantity.unit}`, caption: '', tall: 278,
-    fill: (element, room) => figures.envelope(element, room, {...quantity, of, walls}),
+    title, label: `${title}, in ${unit}`, caption: '', tall: 278,
+    fill: (element, room) => figures.envelope(element, room, {
+      ...quantity, unit, per: quantity.per * per, xUnit: unitIn('m'),
+      of: of.map((cells) => ({...cells, x: along(cells.x), from: along(cells.from), to: along(cells.to)})),
+      walls: walls.map((wall) => ({...wall, x: amountIn('m', wall.x)})),
+    }),
     rows: () => figures.envelopeRows(of, quantity.key),
   });
 }
@@ -33,7 +39,7 @@ function envelopeFigure(parent, quantity) {
 function envelopeFigures(parent) {
   const box = element(parent, 'div', null, {class: 'columns'});
   for (const quantity of alongSection) envelopeFigure(box, quantity);
-  const cellText = (run) => `${single ? '' : run.label + ': '}cells of ${metres(envelopeCellWidth(run))}` +
+  const cellText = (run) => `${single ? '' : run.label + ': '}cells of ${lengthText(envelopeCellWidth(run))}` +
     (run.envelopes.cells_each > 1 ? `, drawn as the maximum of every ${number(run.envelopes.cells_each)} cells` : '');
   const cells = runs.filter((run) => run.envelopes.rows.length).map(cellText).join('; ');
   element(parent, 'p', `${startOfSentence(cells)}. Energies, velocities and heights are those of the rocks that pass.`, {class: 'quiet'});

@@ -12,6 +12,23 @@ function element(parent, tag, text, attributes = {}) {
   return made;
 }
 
+// A choice of the units, after which `redraw` draws the page again.
+function unitChoice(parent, redraw) {
+  const select = element(parent, 'label', 'Units ', {class: 'units'}).append('select');
+  for (const system of ['metric', 'US customary']) element(select, 'option', system, {value: system});
+  select.property('value', unitSystem).on('change', function () {
+    unitSystem = this.value;
+    redraw();
+    d3.select('.units select').node().focus();
+  });
+}
+
+// On a page that is not metric, says what stays metric.
+function unitNote(parent, metricParts) {
+  if (unitSystem === 'metric') return;
+  element(parent, 'p', `Results are in US customary units; 1 kip·ft is 1,000 ft·lbf. ${metricParts} and saved tables of values are metric, as are all other files.`, {class: 'quiet unit-note'});
+}
+
 // Returns {node, head, caption, redraw}. A figure of web/src/figures is drawn by `fill(element, room)` into an area
 // `tall` units high, any other by `draw(svg, width)`, which returns the height it used. `rows()` returns the table that
 // the CSV button saves; its first row has the column names.
@@ -30,11 +47,12 @@ function figure(parent, {title, caption, label, width = drawing.half, tall, fill
   };
   redraw();
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'figure';
-  const button = (text, what, action) =>
-    element(tools, 'button', text, {type: 'button', title: `Save as ${text}`, 'aria-label': `Save "${title}" as ${what}`}).on('click', action);
+  const button = (text, what, action, more = '') =>
+    element(tools, 'button', text, {type: 'button', title: `Save as ${text}${more}`, 'aria-label': `Save "${title}" as ${what}${more}`}).on('click', action);
   const fullTitle = single ? `${title}: ${runs[0].name}` : title;
   button('SVG', 'SVG drawing', () => figures.saveSvg(name, svg.node(), fullTitle));
   button('PNG', 'PNG picture', () => figures.savePng(name, svg.node(), fullTitle));
-  if (rows) button('CSV', 'table of values', () => figures.saveCsv(name, rows()));
+  const isMetric = unitSystem === 'metric';
+  if (rows) button('CSV', 'table of values', () => figures.saveCsv(isMetric ? name : `${name}-in-metric-units`, rows()), isMetric ? '' : ' in metric units');
   return {node, head, caption: note, redraw};
 }

@@ -1,8 +1,18 @@
 'use strict';
 // Text of numbers, units and settings. Results are rounded for reading; nothing is computed except unit conversions.
+// Numbers of the page's data are metric. Each result is shown by the unit that it has there, in the units that the reader
+// chose; inputs and saved tables stay metric.
 
 // The bundle of web/src/figures, shared with the workbench.
 const {d3, axes, extentOf, legend, pointIn, sign, tip} = figures;
+
+let unitSystem = 'metric';
+const displayOf = (unit) => figures.displayedIn(unitSystem, unit);  // {unit, per}: what is shown, and the size of one
+const unitIn = (unit) => displayOf(unit).unit;
+const amountIn = (unit, value) => isNumber(value) ? value / displayOf(unit).per : value;
+
+// The scale of an axis in the displayed unit, for one in the unit of the data.
+const axisIn = (unit, scale) => d3.scaleLinear().domain(scale.domain().map((end) => amountIn(unit, end))).range(scale.range());
 
 // Units by the ending of a setting's name, the longer endings first.
 const unitsByEnding = [
@@ -31,8 +41,17 @@ function number(value, digits = 6) {
 // A result, rounded to the digits that matter.
 const measured = (value, digits) => isNumber(value) ? figures.measured(value, digits) : number(value);
 
-const metres = (value) => measured(value, 5) + ' m';
-const kJ = (joules) => joules === null || joules === undefined ? null : joules / 1000;
+// Results with a unit of the data: without and with the displayed unit.
+const resultIn = (unit, value, digits) => measured(amountIn(unit, value), digits);
+const lengthText = (metres) => `${resultIn('m', metres, 5)} ${unitIn('m')}`;
+const energyText = (joules) => `${resultIn('J', joules)} ${unitIn('J')}`;
+// A round length or energy of the data, such as a height that was given, whose other units are not round.
+const givenIn = (unit, value, digits = 6) => number(amountIn(unit, value), unitSystem === 'metric' ? digits : 4);
+const givenLength = (metres, digits) => `${givenIn('m', metres, digits)} ${unitIn('m')}`;
+
+// Saved tables are metric, with kJ.
+const inSavedUnit = (unit, value) => isNumber(value) ? value / figures.displayedIn('metric', unit).per : null;
+const kJ = (joules) => inSavedUnit('J', joules);
 const count = (n, one, many = one + 's') => `${number(n)} ${n === 1 ? one : many}`;
 
 // A property as in the tables of the verification manual: a number, or a mean with its distribution.

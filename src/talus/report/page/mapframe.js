@@ -160,7 +160,7 @@ function roundLength(maximum) {
   return power * [5, 2, 1].find((times) => times * power <= maximum);
 }
 
-const scaleLength = ({left, right}, scale) => roundLength((right - left) / scale / 3);
+const scaleLength = ({left, right}, scale) => roundLength(amountIn('m', (right - left) / scale / 3)) * displayOf('m').per;
 const scaleBox = (side, scale) => [side.left + 8, side.bottom - 34, side.left + 20 + scaleLength(side, scale) * scale, side.bottom - 8];
 
 function drawScaleBar(group, side, scale) {
@@ -169,7 +169,7 @@ function drawScaleBar(group, side, scale) {
   const bar = group.append('g').attr('class', 'scale-bar');
   bar.append('path').attr('class', 'halo').attr('d', `M${x},${y - 5}v5h${length * scale}v-5`);
   bar.append('path').attr('d', `M${x},${y - 5}v5h${length * scale}v-5`);
-  bar.append('text').attr('class', 'halo').attr('x', x + length * scale / 2).attr('y', y - 5).attr('text-anchor', 'middle').text(`${number(length)} m`);
+  bar.append('text').attr('class', 'halo').attr('x', x + length * scale / 2).attr('y', y - 5).attr('text-anchor', 'middle').text(givenLength(length));
 }
 
 const northBox = ({left, top}) => [left + 8, top + 6, left + 32, top + 48];

@@ -1,11 +1,11 @@
 // Maps of results over the shaded relief, with barriers and releases: reach probability, energy, bounce height, velocity.
 
-// Values of the files are divided by `per` for display.
+// Units are those of the data.
 const mapKindsOfAll = {
-  reach_share: {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: '%', per: 0.01},
-  energy_total_max_kJ: {title: 'Maximum total kinetic energy', quantity: 'Total kinetic energy, maximum of all rocks', unit: 'kJ', per: 1},
-  bounce_height_max_m: {title: 'Maximum bounce height', quantity: 'Bounce height, maximum of all rocks', unit: 'm', per: 1},
-  velocity_max_m_s: {title: 'Maximum velocity', quantity: 'Velocity, maximum of all rocks', unit: 'm/s', per: 1},
+  reach_share: {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: 'share'},
+  energy_total_max_kJ: {title: 'Maximum total kinetic energy', quantity: 'Total kinetic energy, maximum of all rocks', unit: 'kJ'},
+  bounce_height_max_m: {title: 'Maximum bounce height', quantity: 'Bounce height, maximum of all rocks', unit: 'm'},
+  velocity_max_m_s: {title: 'Maximum velocity', quantity: 'Velocity, maximum of all rocks', unit: 'm/s'},
 };
 
 // Each is followed by the ends of its range between ensembles, if the run has them.
@@ -16,19 +16,19 @@ const mapKinds = Object.fromEntries(Object.entries(mapKindsOfAll).flatMap(([name
     [end('low'), {...kind, title: title('low'), quantity: `${kind.title}; 5 % of the ensembles are below`}],
     [end('high'), {...kind, title: title('high'), quantity: `${kind.title}; 5 % of the ensembles are above`}],
     ...(name === 'reach_share' ? [['reach_share_parameter_part', {title: 'Part of the parameters in the reach probability',
-      quantity: 'Part of its variance between ensembles', unit: '%', per: 0.01}]] : [])];
+      quantity: 'Part of its variance between ensembles', unit: 'share'}]] : [])];
 }));
 
 // A map's values in the displayed unit, row by row from the south; null where no rock passed.
 function mapValues(map) {
-  const {per} = mapKinds[map.name];
+  const {per} = displayOf(mapKinds[map.name].unit);
   const value = (part) => (map.logarithmic ? map.least * (map.greatest / map.least) ** part : map.greatest * part) / per;
   return Array.from(atob(map.levels), (letter) => letter.charCodeAt(0) === 0 ? null : value((letter.charCodeAt(0) - 1) / 254));
 }
 
 // The classes of the maps of one kind, the same in every run: lower limits and colours.
 function mapScale(maps) {
-  const {per} = mapKinds[maps[0].name];
+  const {per} = displayOf(mapKinds[maps[0].name].unit);
   const limits = maps[0].limits.map((limit) => limit / per);
   const colours = page.map_colours.map((rgb) => d3.rgb(...rgb));
   return {limits, colours, colour: (value) => colours[d3.bisectRight(limits, value)]};
@@ -65,7 +65,7 @@ function mapView() {
 // Draws a bar of the classes with their limits below. Returns the y of its end.
 function drawColours(svg, scale, {quantity, unit}, x, y, width) {
   const each = width / scale.colours.length, height = 12;
-  svg.append('text').attr('x', x).attr('y', y).text(`${quantity} [${unit}]`);
+  svg.append('text').attr('x', x).attr('y', y).text(`${quantity} [${unitIn(unit)}]`);
   scale.colours.forEach((colour, k) => svg.append('rect').attr('class', 'map-class').attr('x', x + k * each).attr('y', y + 8).attr('width', each).attr('height', height).attr('fill', colour));
   scale.limits.forEach((limit, k) => drawTick(svg, x + (k + 1) * each, y + 8 + height, number(limit, 3)));
   return y + 8 + height + 22;
@@ -84,9 +84,11 @@ function mapFigure(parent, run, map, scale, view) {
   const shade = relief ? hillshade(relief) : null;
   const [x0, y0] = map.origin, [dx, dy] = map.cell;
   const id = `map-${run.index}-${map.name}`;
-  const cellText = number(dx, 4) === number(dy, 4) ? `${number(dx, 4)} m` : `${number(dx, 4)} × ${number(dy, 4)} m`;
+  const [wide, tall] = map.cell.map((side) => givenIn('m', side, 4));
+  const cellText = `${wide === tall ? wide : `${wide} × ${tall}`} ${unitIn('m')}`;
+  const {unit, per} = displayOf(kind.unit);
   figure(parent, {
-    title: single ? kind.title : `${kind.title} · ${run.label}`, label: `Map: ${kind.quantity} in ${kind.unit}`,
+    title: single ? kind.title : `${kind.title} · ${run.label}`, label: `Map: ${kind.quantity} in ${unit}`,
     caption: '', width: single ? mapWidth(view) : drawing.half,
     draw(svg, width) {
       const frame = mapFrame(mapRoom(width), view, groundOf(runs, view));
@@ -97,12 +99,12 @@ function mapFigure(parent, run, map, scale, view) {
         const [left, top] = pointIn(svg.node(), event);
         const x = toX.invert(left), y = toY.invert(top);
         const value = values[Math.floor((y - y0) / dy) * map.columns + Math.floor((x - x0) / dx)];
-        return `x ${number(x, 7)} m, y ${number(y, 7)} m\n` + (isNumber(value) ? `about ${number(value, 2)} ${kind.unit}` : 'no rock');
+        return `x ${number(x, 7)} m, y ${number(y, 7)} m\n` + (isNumber(value) ? `about ${number(value, 2)} ${unit}` : 'no rock');
       });
       drawReleases(inside, [run], toX, toY, (p) => p.x, (p) => p.y);
       finishMap(inside, frame, run, barriersOf(run));
       const y = side.bottom + 56;
-      return noteMap(svg, mapRoom(width), frame, run, [`cells of ${cellText}`, `up to ${measured(map.greatest / kind.per)} ${kind.unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
+      return noteMap(svg, mapRoom(width), frame, run, [`cells of ${cellText}`, `up to ${measured(map.greatest / per)} ${unit}`], y, drawColours(svg, scale, kind, side.left, y, width === drawing.wide ? 320 : 230));
     },
   });
 }

@@ -4,8 +4,8 @@
 const stopShape = 'M0,-5L5,0L0,5L-5,0Z';
 const stopSign = (g) => g.append('path').attr('class', 'stop').attr('d', stopShape).attr('transform', 'translate(11,0)');
 const stopText = (run) => (stop) => [`Observed stop${stop.name ? ' ' + stop.name : ''}`,
-  `x ${metres(stop.x)}` + (run.isSection ? '' : `, y ${metres(stop.y)}`) + (isNumber(stop.z) ? `, z ${metres(stop.z)}` : ''),
-  ...(isNumber(stop.mass_kg) ? [`mass ${measured(stop.mass_kg)} kg`] : [])].join('\n');
+  placeText(run, stop),
+  ...(isNumber(stop.mass_kg) ? [`mass ${resultIn('kg', stop.mass_kg)} ${unitIn('kg')}`] : [])].join('\n');
 
 function drawStops(group, run, toX, toY) {
   tip(group.append('g').selectAll('path').data(run.stops).enter().append('path').attr('class', 'stop').attr('d', stopShape)
@@ -57,7 +57,7 @@ function observedCurves(parent, run) {
     ];
     figure(parent, {
       title: title + (single ? '' : ` · ${run.label}`), label: `${title}: cumulative distribution of observed and simulated rocks`, caption: '', tall: 278,
-      fill: (element, room) => figures.cumulative(element, room, {title, unit: 'm', per: 1, thing: 'rock', of: curves}),
+      fill: (element, room) => figures.cumulative(element, room, {title, ...displayOf('m'), thing: 'rock', of: curves}),
       rows: () => figures.cumulativeRows(curves, `${quantity.key}_m`),
     });
   }
@@ -67,7 +67,7 @@ const pText = (p) => p < 0.01 ? '< 1 %' : `${number(100 * p, 2)} %`;
 
 function observedTable(parent, run) {
   const {quantities, rocks, draws} = run.observed;
-  const row = (name, distance, unit) => [{text: name, unit}, measured(distance.value), measured(distance.median), measured(distance.p95), pText(distance.p_value)];
+  const row = (name, distance, unit) => [{text: name, unit: unitIn(unit)}, ...['value', 'median', 'p95'].map((key) => resultIn(unit, distance[key])), pText(distance.p_value)];
   table(parent, {
     caption: 'Distance between observed and simulated' + (single ? '' : ` · ${run.label}`),
     head: [['', 'Observed', 'By chance, median', 'By chance, 95 %', 'Chance is as far']],
@@ -84,7 +84,7 @@ function observedTable(parent, run) {
       caption: 'Observed and simulated values' + (single ? '' : ` · ${run.label}`),
       head: [['', '', 'Mean', '5 %', 'Median', '95 %']],
       rows: lines.flatMap((q) => ['observed', 'simulated'].map((of) =>
-        [{text: observedTitles[q.key](run.observed), unit: 'm'}, of, ...['mean', 'p05', 'median', 'p95'].map((key) => measured(q[of][key]))])),
+        [{text: observedTitles[q.key](run.observed), unit: unitIn('m')}, of, ...['mean', 'p05', 'median', 'p95'].map((key) => resultIn('m', q[of][key]))])),
       numeric: (column) => column > 1,
     });
   }

@@ -14,14 +14,14 @@ function cards(parent) {
       if (value && value[1]) element(line, 'small', ' ' + value[1]);
     });
   };
-  const of = (name, key, unit, per = 1) => (run) => {
+  const of = (name, key, unit) => (run) => {
     const value = (run.statistics[name] || {})[key];
-    return isNumber(value) ? [measured(value / per), unit] : null;
+    return isNumber(value) ? [resultIn(unit, value), unitIn(unit)] : null;
   };
   card('Rocks', (run) => run.summary.rocks ? [number(run.summary.rocks.done), run.summary.interrupted ? `of ${number(run.summary.rocks.planned)}` : ''] : null);
   card('Mean runout (plan)', of('runout_xy_m', 'mean', 'm'));
   card('Maximum runout (plan)', of('runout_xy_m', 'maximum', 'm'));
-  card('Maximum total kinetic energy', of('max_ke_J', 'maximum', 'kJ', 1000));
+  card('Maximum total kinetic energy', of('max_ke_J', 'maximum', 'J'));
   card('Maximum bounce height', of('max_bounce_m', 'maximum', 'm'));
   const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
   if (names.length > 0 && names.length <= 2) {

@@ -2,12 +2,14 @@
 
 function heading() {
   const head = d3.select('#head');
+  unitChoice(head, show);
   element(head, 'p', single ? 'Rockfall analysis' : 'Rockfall analysis · two runs compared', {class: 'kind'});
   element(head, 'h1', single || alike ? runs[0].name : runs.map((run) => run.name).join(' and '));
   const {client, project, number: numberText, author, checked, revision} = titleBlock;
   const block = [['Client ', client], ['Project ', project], ['Number ', numberText], ['Revision ', revision], ['Author ', author], ['Checked ', checked]].filter(([, value]) => value);
   if (block.length) factsLine(head, block);
   factsList(head);
+  unitNote(head, metricParts);
 }
 
 function factsLine(parent, parts, run) {
@@ -42,38 +44,44 @@ function section(title, id, fill) {
   element(d3.select('#contents'), 'a', title, {href: '#' + id});
 }
 
-heading();
-cards(d3.select('#main'));
-warnings(d3.select('#main'));
-section('Slope and trajectories', 'slope', (node) => {
-  const box = element(node, 'div', null, {class: 'columns'});
-  sectionFigure(box, planFigure(box) || drawing.wide);
-});
-if (runs.some((run) => run.maps.length)) section('Maps', 'maps', mapFigures);
-if (runs.some((run) => run.envelopes.rows.length)) section('Envelopes along the section', 'envelopes', envelopeFigures);
-section('End points and runout', 'runout', (node) => {
-  distributionFigures(node);
-  element(node, 'p', 'Boxes: quartiles and median. Whiskers: minimum and maximum. Cross: mean.', {class: 'quiet'});
-  statisticsTable(node, runs, [
-    {text: 'End point x', unit: 'm', of: (run) => run.isSection ? run.statistics.end_x_m : null},
-    {text: 'Runout on plan', unit: 'm', of: (run) => run.statistics.runout_xy_m},
-    {text: 'Runout in space', unit: 'm', of: (run) => run.statistics.runout_total_m},
-    {text: 'Maximum total kinetic energy', unit: 'kJ', per: 1000, of: (run) => run.statistics.max_ke_J},
-    {text: 'Maximum bounce height', unit: 'm', of: (run) => run.statistics.max_bounce_m},
-  ], 'Descriptive statistics, one value per rock');
-  element(node, 'p', 'Standard deviation and variance are sample values (n − 1). Kurtosis is excess kurtosis; skewness is corrected for bias. The confidence level is half the width of the 95 % interval of the mean, by Student’s t. Variances are in the square of the unit. Total kinetic energy is translational plus rotational.', {class: 'quiet'});
-});
-if (runs.some((run) => run.observed)) section('Observed stops', 'observed', observedFigures);
-section('End reasons', 'reasons', endReasons);
-if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);
-if (designsOf().length) section('Barrier design', 'design', designSections);
-if (runs.some((run) => run.uncertainty.figures.length)) section('Uncertainty', 'uncertainty', uncertaintySections);
-if (runs.some((run) => run.convergence.figures.length)) section('Precision', 'precision', convergenceSections);
-section('Energy', 'energy', (node) => { energyFigures(node); impactFigure(node); });
-section('Model', 'model', modelTables);
-sheet();
-fitTablesToPaper();
-{
+// Draws the page, or draws it again in other units.
+function show() {
+  choice.listeners.length = 0;
+  for (const part of ['#sheet', '#head', '#contents', '#main', '#foot']) d3.select(part).selectAll('*').remove();
+  heading();
+  cards(d3.select('#main'));
+  warnings(d3.select('#main'));
+  section('Slope and trajectories', 'slope', (node) => {
+    const box = element(node, 'div', null, {class: 'columns'});
+    sectionFigure(box, planFigure(box) || drawing.wide);
+  });
+  if (runs.some((run) => run.maps.length)) section('Maps', 'maps', mapFigures);
+  if (runs.some((run) => run.envelopes.rows.length)) section('Envelopes along the section', 'envelopes', envelopeFigures);
+  section('End points and runout', 'runout', (node) => {
+    distributionFigures(node);
+    element(node, 'p', 'Boxes: quartiles and median. Whiskers: minimum and maximum. Cross: mean.', {class: 'quiet'});
+    statisticsTable(node, runs, [
+      {text: 'End point x', unit: 'm', of: (run) => run.isSection ? run.statistics.end_x_m : null},
+      {text: 'Runout on plan', unit: 'm', of: (run) => run.statistics.runout_xy_m},
+      {text: 'Runout in space', unit: 'm', of: (run) => run.statistics.runout_total_m},
+      {text: 'Maximum total kinetic energy', unit: 'J', of: (run) => run.statistics.max_ke_J},
+      {text: 'Maximum bounce height', unit: 'm', of: (run) => run.statistics.max_bounce_m},
+    ], 'Descriptive statistics, one value per rock');
+    element(node, 'p', 'Standard deviation and variance are sample values (n − 1). Kurtosis is excess kurtosis; skewness is corrected for bias. The confidence level is half the width of the 95 % interval of the mean, by Student’s t. Variances are in the square of the unit. Total kinetic energy is translational plus rotational.', {class: 'quiet'});
+  });
+  if (runs.some((run) => run.observed)) section('Observed stops', 'observed', observedFigures);
+  section('End reasons', 'reasons', endReasons);
+  if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);
+  if (designsOf().length) section('Barrier design', 'design', designSections);
+  if (runs.some((run) => run.uncertainty.figures.length)) section('Uncertainty', 'uncertainty', uncertaintySections);
+  if (runs.some((run) => run.convergence.figures.length)) section('Precision', 'precision', convergenceSections);
+  section('Energy', 'energy', (node) => { energyFigures(node); impactFigure(node); });
+  section('Model', 'model', (node) => {
+    if (unitSystem !== 'metric') element(node, 'p', 'Inputs are metric, as in the files of the project.', {class: 'quiet'});
+    modelTables(node);
+  });
+  sheet();
+  fitTablesToPaper();
   const foot = d3.select('#foot');
   const times = runs.map((run) => run.summary.timings || {}).filter((t) => isNumber(t.seconds));
   const speed = times.map((t) => `${number(t.seconds, 3)} s` + (isNumber(t.rocks_per_second) ? `, ${number(Math.round(t.rocks_per_second))} rocks/s` : '') +
@@ -81,3 +89,6 @@ fitTablesToPaper();
   element(foot, 'p', `Generated by Talus ${page.version} from the files of ${runs.map((run) => run.folder).join(' and ')}.` + (speed ? ` Run time: ${speed}.` : '') +
     ' This page needs no network. Drawn with D3 (d3js.org), copyright Mike Bostock.');
 }
+
+setPaper();
+show();

@@ -37,7 +37,8 @@ function heightsWithin(relief, {x: [x0, x1], y: [y0, y1]}) {
 
 function contoursWithin(relief, view) {
   const [low, high] = d3.extent(heightsWithin(relief, view));
-  const levels = high > low ? d3.ticks(low, high, 25) : [];
+  const {per} = displayOf('m');
+  const levels = high > low ? d3.ticks(low / per, high / per, 25).map((level) => level * per) : [];
   const interval = levels.length > 1 ? levels[1] - levels[0] : 0;
   return {interval, lines: interval ? contourLines(relief, levels) : []};
 }
@@ -79,7 +80,7 @@ const plan = (() => {
 
 // Contours within the extent that a frame shows; kept, because they take a while.
 function contoursOf(shown) {
-  const key = JSON.stringify(shown);
+  const key = JSON.stringify([shown, unitSystem]);
   if (!plan.contours.has(key)) plan.contours.set(key, plan.relief ? contoursWithin(plan.relief, shown) : {interval: 0, lines: []});
   return plan.contours.get(key);
 }
@@ -91,11 +92,11 @@ function drawContours(inside, {interval, lines: contourSets}, {toX, toY, shown: 
   const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
   for (const {level, lines} of contourSets) {
     const main = Math.round(level / interval) % 5 === 0;
-    tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${number(level)} m`);
+    tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${givenLength(level)}`);
     const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
     if (!main || longest.length < 8) continue;
     const place = longest[Math.floor(longest.length * 0.12)];
-    const text = `${number(level)} m`, at = [toX(place[0]), toY(place[1])];
+    const text = givenLength(level), at = [toX(place[0]), toY(place[1])];
     const box = boxOfText(text, 'middle', at[0], at[1] + 4);
     if (!isFree(box, taken) || named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
     named.push(at);
@@ -133,7 +134,7 @@ function drawPlan(svg, room, extent, id) {
 
 function planCaption(room, extent) {
   const {interval} = contoursOf(planFrame(room, extent).shown);
-  return shownText() + (plan.relief ? `Contours every ${number(interval)} m; relief lit from the upper left.` : 'The summary has no relief to draw.') +
+  return shownText() + (plan.relief ? `Contours every ${givenLength(interval)}; relief lit from the upper left.` : 'The summary has no relief to draw.') +
     (plan.spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and drawn at y = 0.` : '');
 }
 

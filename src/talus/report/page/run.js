@@ -37,8 +37,15 @@ for (const run of runs) {
   run.label = alike ? folder : run.name;
 }
 
+// x and y of a terrain are coordinates on a map, in metres always; its heights and all of a section are lengths.
+const xyText = (run, value) => run.isSection ? lengthText(value) : `${measured(value, 5)} m`;
+const placeText = (run, {x, y, z}, hasY = !run.isSection) => [`x ${xyText(run, x)}`, ...(hasY ? [`y ${xyText(run, y)}`] : []), ...(isNumber(z) ? [`z ${lengthText(z)}`] : [])].join(', ');
+
+const metricParts = runs.every((run) => run.isSection) ? 'Inputs' : 'Coordinates x and y, inputs';
+
 // The title block; of two runs that of the first. Both papers leave columns of 184 mm between their margins.
 const titleBlock = runs[0].project.report || {};
+if (titleBlock.units === 'us') unitSystem = 'US customary';
 const papers = {A4: {size: 'A4 portrait', mm: 184}, A3: {size: 'A3 landscape', mm: 394}};
 const paperName = papers[titleBlock.paper] ? titleBlock.paper : 'A4';
 

@@ -96,6 +96,7 @@ function sheetNotes(parent) {
   factsList(notes);
   cards(notes);
   const of = (text) => element(notes, 'p', text, {class: 'quiet'});
+  unitNote(notes, metricParts);
   if (plan) of(planCaption(mapRoom(drawing.wide), sheetExtent()));
   else of(shownText());
   if (slope && slope.grounds.some((g) => !g.section)) of('The section lies along the mean direction of travel.');
@@ -103,7 +104,6 @@ function sheetNotes(parent) {
 }
 
 function sheet() {
-  setPaper();
   const node = element(d3.select('#sheet'), 'div', null, {class: 'sheet'});
   const head = element(node, 'div', null, {class: 'sheet-head'});
   element(head, 'p', single ? 'Rockfall analysis' : 'Rockfall analysis · two runs compared', {class: 'kind'});

@@ -40,7 +40,7 @@ const travel = (() => {
     ends.push(rock.rows[rock.rows.length - 1]);
   }
   if (runs.some((run) => run.isSection) || !starts.length) {
-    return {along: (x) => x, label: 'x [m]', origin: {x: 0, y: 0}, direction: [1, 0], isX: true};
+    return {along: (x) => x, label: 'x', origin: {x: 0, y: 0}, direction: [1, 0], isX: true};
   }
   const origin = {x: d3.mean(starts, (p) => p.x), y: d3.mean(starts, (p) => p.y)};
   const dx = d3.mean(ends, (p) => p.x) - origin.x, dy = d3.mean(ends, (p) => p.y) - origin.y;
@@ -49,7 +49,7 @@ const travel = (() => {
   const bearing = (Math.atan2(direction[0], direction[1]) * 180 / Math.PI + 360) % 360;
   return {
     along: (x, y) => (x - origin.x) * direction[0] + (y - origin.y) * direction[1],
-    label: 'Distance along the mean direction of travel [m]', bearing: `${bearing.toFixed(0).padStart(3, '0')}°`,
+    label: 'Distance along the mean direction of travel', bearing: `${bearing.toFixed(0).padStart(3, '0')}°`,
     origin, direction, isX: false,
   };
 })();
@@ -88,15 +88,15 @@ function rockText(rock) {
   const end = run.endpoints.find((e) => e.rock === rock.rock);
   const lines = [`Rock ${rock.rock}` + (single ? '' : ` · ${run.label}`)];
   if (end) lines.push(`${end.end_reason} after ${measured(last.time)} s`);
-  lines.push(`end: x ${metres(last.x)}` + (run.isSection ? '' : `, y ${metres(last.y)}`) + `, z ${metres(last.z)}`);
-  if (end) lines.push(`runout ${metres(end.runout_xy)}, maximum total kinetic energy ${measured(kJ(end.max_ke))} kJ`);
+  lines.push(`end: ${placeText(run, last)}`);
+  if (end) lines.push(`runout ${lengthText(end.runout_xy)}, maximum total kinetic energy ${energyText(end.max_ke)}`);
   return lines.join('\n');
 }
 
 const endText = (run) => (end) => [`End of rock ${end.rock}` + (single ? '' : ` · ${run.label}`), end.end_reason,
-  `x ${metres(end.x)}` + (run.isSection ? '' : `, y ${metres(end.y)}`) + `, z ${metres(end.z)}`,
-  `runout ${metres(end.runout_xy)}, time ${measured(end.time)} s`,
-  `maximum total kinetic energy ${measured(kJ(end.max_ke))} kJ`].join('\n');
+  placeText(run, end),
+  `runout ${lengthText(end.runout_xy)}, time ${measured(end.time)} s`,
+  `maximum total kinetic energy ${energyText(end.max_ke)}`].join('\n');
 
 // Draws trajectories and end points into a group; `textOf` returns a rock's SVG path.
 function drawRocks(group, textOf, toX, toY, endX, endY) {
@@ -249,7 +249,7 @@ function drawSection(svg, width, tallest, id) {
   const middleU = (u0 + u1) / 2, middleZ = (z0 + z1) / 2;
   const toX = d3.scaleLinear().domain([middleU - room / scale / 2, middleU + room / scale / 2]).range([side.left, side.right]);
   const toY = d3.scaleLinear().domain([middleZ - height / scale / 2, middleZ + height / scale / 2]).range([side.bottom, side.top]);
-  axes(svg, toX, toY, side, {xLabel: travel.label, yLabel: 'z [m]'});
+  axes(svg, axisIn('m', toX), axisIn('m', toY), side, {xLabel: `${travel.label} [${unitIn('m')}]`, yLabel: `z [${unitIn('m')}]`});
   svg.append('clipPath').attr('id', id).append('rect').attr('x', side.left).attr('y', side.top).attr('width', room).attr('height', height);
   const inside = svg.append('g').attr('clip-path', `url(#${id})`);
   const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
@@ -276,8 +276,9 @@ function drawSection(svg, width, tallest, id) {
   drawRocks(inside, (rock) => pathText(rock, toX, toY, horizontal, speed), toX, toY, horizontal, (e) => e.z);
   for (const wall of walls) {
     inside.append('line').attr('class', 'barrier').attr('x1', toX(wall.u)).attr('y1', toY(wall.foot)).attr('x2', toX(wall.top[0])).attr('y2', toY(wall.top[1]));
-    inside.append('text').attr('class', 'barrier-name halo').attr('x', toX(wall.top[0]) + 7).attr('y', toY(wall.top[1]) + 2)
-      .text(`${wall.barrier.name}, ${number(wall.barrier.height_m)} m`);
+    const name = `${wall.barrier.name}, ${givenLength(wall.barrier.height_m)}`, x = toX(wall.top[0]), y = toY(wall.top[1]) + 2;
+    const isCut = boxOfText(name, 'start', x + 7, y)[2] > side.right;
+    inside.append('text').attr('class', 'barrier-name halo').attr('x', isCut ? x - 7 : x + 7).attr('y', y).attr('text-anchor', isCut ? 'end' : 'start').text(name);
   }
   drawScaleBar(inside, side, scale);
   const end = frame.legend(svg, [

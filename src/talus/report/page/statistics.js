@@ -11,7 +11,7 @@ const statisticsRows = [
 
 const statistic = (statistics, path) => path.split('/').reduce((node, key) => (node || {})[key], statistics);
 
-// `quantities`: [{text, unit, per, of: (run) => statistics}]; values of the files are divided by `per` for display.
+// `quantities`: [{text, unit, of: (run) => statistics}] with the units of the data.
 function statisticsTable(parent, shown, quantities, caption) {
   const kept = quantities.filter((q) => shown.some((run) => q.of(run)));
   if (!kept.length) return element(parent, 'p', 'The summary has no statistics of these quantities.', {class: 'quiet'});
@@ -21,12 +21,12 @@ function statisticsTable(parent, shown, quantities, caption) {
     for (let i = 0; i < kept.length; i += columns) statisticsTable(parent, shown, kept.slice(i, i + columns), i === 0 ? caption : null);
     return null;
   }
-  const head = [[''].concat(kept.map((q) => ({text: q.text, unit: q.unit, span: shown.length})))];
+  const head = [[''].concat(kept.map((q) => ({text: q.text, unit: unitIn(q.unit), span: shown.length})))];
   if (shown.length > 1) head.push([''].concat(kept.flatMap(() => shown.map((run) => ({text: run.label, run})))));
   const rows = statisticsRows.map(([path, label, power]) => [label].concat(kept.flatMap((q) => shown.map((run) => {
     const value = statistic(q.of(run), path);
     if (!isNumber(value)) return '–';
-    const scaled = value / (q.per || 1) ** power;
+    const scaled = value / displayOf(q.unit).per ** power;
     return {text: measured(scaled), full: String(scaled)};
   }))));
   return table(parent, {caption, head, rows, numeric: (column) => column > 0});

@@ -53,7 +53,7 @@ function terrainRows(run) {
       [{text: 'Cell size', unit: 'm'}, spacing[0] === spacing[1] ? spacing[0] : spacing.join(' × ')]);
   }
   if (isNumber(terrain.triangles)) rows.push(['Triangles', number(terrain.triangles)]);
-  if (isNumber(run.summary.energy_datum_m)) rows.push(['Potential energy is zero at z', metres(run.summary.energy_datum_m)]);
+  if (isNumber(run.summary.energy_datum_m)) rows.push(['Potential energy is zero at z', `${measured(run.summary.energy_datum_m, 5)} m`]);
   return rows;
 }
 
