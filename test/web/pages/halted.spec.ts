@@ -17,7 +17,7 @@ test('a run whose server was killed has partial results', async ({ workbench: pa
   await page.getByRole('button', { name: 'Write partial results' }).click();
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Overview' }).click();
-  await expect(page.getByText(/of 50000000: the run was stopped/)).toBeVisible();
+  await expect(page.getByText(/of 50,000,000: the run was stopped/)).toBeVisible();
   await expect(long.getByRole('button', { name: 'Resume' })).toBeVisible();
 });
 
