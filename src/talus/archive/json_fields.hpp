@@ -204,7 +204,7 @@ void read_json(const JsonValue& json, const JsonPlace& place, T& value) {
     value = std::make_shared<const JsonValue>(json);
   } else if constexpr (is_a<T, std::optional>) {
     value.reset();
-    if (!json.is_null()) read_json(json, place, value.emplace());
+    if (!json.is_null()) read_json(json, place, value.emplace(typename T::value_type{}));
   } else if constexpr (is_named<T>) {
     expect_kind(json.is_object(), json, place, "an object");
     for (const auto& [name, entry] : json.items()) {

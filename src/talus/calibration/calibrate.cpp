@@ -45,7 +45,7 @@ std::size_t within_90(const Sample& observed, const Sample& forecast, Index feat
   std::size_t count = 0;
   for (Index row = 0; row < observed.rows.rows(); ++row) {
     const auto& own = values[observed.has_strata() ? observed.strata[static_cast<std::size_t>(row)] : 0];
-    const auto [first, last] = std::ranges::equal_range(own, observed.rows(row, feature));
+    const auto [first, last] = std::equal_range(own.begin(), own.end(), observed.rows(row, feature));
     const auto below = static_cast<double>(first - own.begin()) + static_cast<double>(last - first) / 2;
     if (std::abs(below / static_cast<double>(own.size()) - 0.5) <= central / 2) ++count;
   }

@@ -314,9 +314,9 @@ struct ColumnText {
 template <TableRow Row>
 [[nodiscard]] std::vector<ColumnText> column_texts() {
   std::vector<ColumnText> texts;
-  for_columns<Row>([&](const auto& column) {
+  for_columns<Row>([&]<class Of = Row>(const auto& column) {  // dependent: clang looks into the branch otherwise
     if constexpr (is_family<std::remove_cvref_t<decltype(column)>>) {
-      for (ColumnText& text : Row::family_texts()) texts.push_back(std::move(text));
+      for (ColumnText& text : Of::family_texts()) texts.push_back(std::move(text));
     } else {
       texts.push_back({std::string(column.name), std::string(column.unit), std::string(column.meaning), column.kind});
     }

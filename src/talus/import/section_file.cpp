@@ -87,7 +87,7 @@ SectionVertices read_section_file(const SectionSource& source, Problems& warning
   if (is_text && !source.layer.empty())
     refuse_section(source, "has no layers", "it is a text file", "Leave section_layer out");
   SectionVertices section = is_text ? section_of_text(source) : section_of_line(source, warnings);
-  section.erase(std::ranges::unique(section).begin(), section.end());
+  section.erase(std::unique(section.begin(), section.end()), section.end());
   return source.tolerance_m > 0 ? simplified_section(section, source.tolerance_m) : section;
 }
 

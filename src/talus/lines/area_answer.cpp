@@ -149,7 +149,8 @@ std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area,
       squared_velocity = std::max(squared_velocity, most.squared_velocity);
       translational = std::max(translational, most.energy_translational);
       total = std::max(total, most.energy_total);
-      height = std::visit([&](const auto& surface) { return max_height(surface, piece, is_sphere, from, to, height); },
+      height = std::visit([&, from = from, to = to](
+                              const auto& surface) { return max_height(surface, piece, is_sphere, from, to, height); },
                           *model.surface);
     }
   }

@@ -34,7 +34,7 @@ std::string rows_of(const talus::Seeder& seeder, std::span<const std::uint64_t> 
   if (table == nullptr) return "";
   std::vector<std::size_t> rows;
   for (const std::uint64_t rock : rocks) rows.push_back(table->row_of(rock - seeder.first_rock, seeder.rocks));
-  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   std::vector<std::string> names;
   for (std::size_t k = 0; k < std::min(rows.size(), most_rows_named); ++k)
     names.push_back(name_of_row(*table, rows[k]));

@@ -59,7 +59,7 @@ void apply_set(const FactorSet& set, const Design& design, DesignPlan& plan) {
   factors.clears_half_the_block = set.clears_half_the_block;
   const auto is_known = [&](const Factor& factor) { return value_of(factor, design).has_value(); };
   std::vector<Factor> in_order = set.factors;  // the unknown ones last
-  std::ranges::stable_partition(in_order, is_known);
+  std::stable_partition(in_order.begin(), in_order.end(), is_known);
   for (const Factor& factor : in_order) {
     const auto value = value_of(factor, design);
     if (!value) {  // on the elongation, which no kit gives
