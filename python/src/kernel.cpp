@@ -56,9 +56,9 @@ py::tuple flight_at(const Numbers& position, const Numbers& velocity, const Numb
   VectorsOut positions(count), velocities(count);
   {
     const py::gil_scoped_release released;
-    const Vec3 g(0, 0, -gravity);
+    const LinearDrag drag{rate, Vec3(0, 0, -gravity)};
     for (py::ssize_t k = 0; k < count; ++k) {
-      const FlightState state = state_with_drag(p[k], v[k], g, rate, t[k]);
+      const FlightState state = state_with_drag(p[k], v[k], drag, t[k]);
       positions.set(k, state.place);
       velocities.set(k, state.velocity);
     }

@@ -55,20 +55,19 @@ class RowKeeper : public Observer {
   /// Calls take(text) with the table's rows as text, in pieces and in order; this many threads write them.
   template <class Take>
   void for_texts(int threads, Take&& take) const {
+    constexpr std::size_t rows_in_piece = 4096;  // about a megabyte of text
     std::size_t next = 0;
-    const auto piece = [&](tbb::flow_control& flow) {
-      const std::size_t begin = std::exchange(next, std::min(next + rows_in_piece, rows_.count()));
-      if (begin == next) flow.stop();
-      return std::pair(begin, next);
+    const auto first_of_piece = [&](tbb::flow_control& flow) {
+      if (next >= rows_.count()) flow.stop();
+      return std::exchange(next, next + rows_in_piece);
     };
+    const auto text = [&](std::size_t first) { return text_of(first, std::min(first + rows_in_piece, rows_.count())); };
     using tbb::filter_mode;
     tbb::task_arena(threads).execute([&] {
-      tbb::parallel_pipeline(
-          static_cast<std::size_t>(2 * threads),
-          tbb::make_filter<void, std::pair<std::size_t, std::size_t>>(filter_mode::serial_in_order, piece) &
-              tbb::make_filter<std::pair<std::size_t, std::size_t>, std::string>(
-                  filter_mode::parallel, [&](const auto& rows) { return text_of(rows.first, rows.second); }) &
-              tbb::make_filter<std::string, void>(filter_mode::serial_in_order, take));
+      tbb::parallel_pipeline(static_cast<std::size_t>(2 * threads),
+                             tbb::make_filter<void, std::size_t>(filter_mode::serial_in_order, first_of_piece) &
+                                 tbb::make_filter<std::size_t, std::string>(filter_mode::parallel, text) &
+                                 tbb::make_filter<std::string, void>(filter_mode::serial_in_order, take));
     });
   }
 
@@ -85,8 +84,6 @@ class RowKeeper : public Observer {
     Row row;
     std::vector<std::byte> bytes;
   };
-
-  static constexpr std::size_t rows_in_piece = 4096;
 
   [[nodiscard]] std::string text_of(std::size_t begin, std::size_t end) const {
     std::string text;

@@ -28,7 +28,8 @@ def at(position: Any, velocity: Any, time: Any, *, gravity: float = standard_gra
     """The state at ``time`` [s] of a flight that begins at ``position`` [m] with ``velocity`` [m/s].
 
     Positions and velocities have the shape (3,) or (n, 3), times are a number or an array of n. ``drag_rate``: the drag
-    of a forest over the rock's mass, b/m [1/s]; 0: none.
+    of a forest over the rock's mass, b/m [1/s]; 0: none. Coordinates, speeds, times and rates reach up to 1e9, gravity up
+    to 1000 m/s2, as in a project.
     """
     shape, flat = together(position_3=vectors("position", position), velocity_3=vectors("velocity", velocity),
                            time=numbers("time", time))

@@ -1,8 +1,8 @@
 """Impact laws: how a rock leaves the ground that it strikes, for one impact or for arrays of them.
 
 Velocities [m/s] and spins [rad/s] have the shape (3,) or (n, 3), other arguments are numbers or arrays of n. ``normal`` is
-the unit normal, out of the ground. A rock is a sphere of ``mass`` [kg] and ``radius`` [m]. Equations and sources are in
-docs/laws.md.
+the unit normal, out of the ground; a rock that leaves the ground is refused. A rock is a sphere of ``mass`` [kg] and
+``radius`` [m]. Ranges are those of the project file. Equations and sources are in docs/laws.md.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _talus
+from .overrides import limits
 from .problems import BadInput
 from .shapes import check, numbers, together, vectors
 
@@ -55,15 +56,15 @@ def _rebound(law: str, velocity: Any, spin: Any, normal: Any, mass: Any, radius:
         rolling_friction=numbers("rolling_friction", rolling))
     for name in ("velocity_3", "spin_3", "normal_3"):
         check(name.removesuffix("_3"), flat[name], -1e9, 1e9)
-    check("mass", flat["mass"], 0, 1e20, excludes_least=True)
-    check("radius", flat["radius"], 1e-6, 1e6)
-    check("normal_restitution", flat["normal_restitution"], 0, 1)
-    check("tangential_restitution", flat["tangential_restitution"], 0, 1)
-    check("dynamic_friction", flat["dynamic_friction"], 0, 1e6)
-    check("rolling_friction", flat["rolling_friction"], 0, 1e6)
+    check("mass", flat["mass"], *limits("seeder", "mass_kg"))
+    least, most = limits("seeder", "diameter_m")
+    check("radius", flat["radius"], least / 2, most / 2)
+    for name in ("normal_restitution", "tangential_restitution", "dynamic_friction", "rolling_friction"):
+        check(name, flat[name], *limits("material", name))
     lengths = np.linalg.norm(flat["normal_3"], axis=-1)
     if (abs(lengths - 1) > 1e-6).any():
         raise BadInput(f"normal has a length of {lengths[abs(lengths - 1) > 1e-6][0]:g} (expected a unit vector)")
+    # Along a slope the product is zero but for rounding.
     outwards = (flat["velocity_3"] * flat["normal_3"]).sum(axis=-1)
     if (outwards > 1e-9 * np.linalg.norm(flat["velocity_3"], axis=-1)).any():
         raise BadInput(f"velocity leaves the ground, by {outwards.max():g} m/s along normal (expected one into the ground). "

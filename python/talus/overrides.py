@@ -22,6 +22,13 @@ def declared() -> dict[str, Any]:
     return schema()["properties"]
 
 
+def limits(table: str, key: str) -> tuple[float, float]:
+    """The least and the greatest number that a setting may have."""
+    setting = declared()[table].get("items", declared()[table])["properties"][key]
+    number = next(kind for kind in setting.get("anyOf", [setting]) if kind.get("type") == "number")
+    return number["minimum"], number["maximum"]
+
+
 def overrides(settings: Mapping[str, Any]) -> list[str]:
     """The settings as the program's option ``--set`` takes them.
 

@@ -6,7 +6,7 @@ import json
 import os
 from pathlib import Path
 import re
-from typing import Any
+from typing import Any, Iterator
 import warnings
 
 from . import _talus
@@ -30,9 +30,8 @@ class Project:
             seeder=[talus.Seeder(name="Crest", position=[1, "surface"], rocks=100, mass_kg=500)],
         )
 
-    Tables may be dictionaries, too. Files that the project names are relative to ``folder``, by default the current one at the
-    time when they are read.
-    Raises :class:`talus.BadInput` with all problems at once.
+    Tables may be dictionaries, too. Files that the project names are relative to ``folder``, by default the current
+    one at the time when they are read. Raises :class:`talus.BadInput` with all problems at once.
     """
 
     def __init__(self, *, folder: str | os.PathLike[str] = ".", **tables: Any) -> None:
@@ -124,16 +123,8 @@ class Project:
 
     def _files(self) -> list[str]:
         """The files that its tables name."""
-        files: list[str] = []
-        for name, rows in self.settings.items():
-            table = declared()[name]
-            keys = table.get("items", table).get("properties", {})
-            for row in rows if isinstance(rows, list) else [rows] if isinstance(rows, dict) else []:
-                for key, value in row.items():
-                    named = value if isinstance(value, list) else [value]
-                    if _is_of_files(keys.get(key, {})):
-                        files += [each for each in named if isinstance(each, str)]
-        return files
+        named = [row[key] for row, key, setting in _given(self.settings) if _is_of_files(setting)]
+        return [each for value in named for each in (value if isinstance(value, list) else [value]) if isinstance(each, str)]
 
     def __repr__(self) -> str:
         return f"<talus.Project {self.name!r}, {'section' if self.is_2d else '3D'}, {self.file}>"
@@ -144,13 +135,20 @@ class Project:
 
 def with_infinity(settings: dict[str, Any]) -> dict[str, Any]:
     """Echoed settings with numbers for "inf", which JSON does not have."""
+    for row, key, setting in list(_given(settings)):
+        if row[key] == "inf" and setting.get("x-infinite"):
+            row[key] = float("inf")
+    return settings
+
+
+def _given(settings: dict[str, Any]) -> Iterator[tuple[dict[str, Any], str, dict[str, Any]]]:
+    """Each value of the tables: its row, its key and its declaration."""
     for name, rows in settings.items():
         table = declared()[name]
         keys = table.get("items", table).get("properties", {})
         for row in rows if isinstance(rows, list) else [rows] if isinstance(rows, dict) else []:
-            row.update((key, float("inf")) for key, value in row.items()
-                       if value == "inf" and keys[key].get("x-infinite"))
-    return settings
+            for key in row:
+                yield row, key, keys.get(key, {})
 
 
 def _changes(settings: dict[str, Any], rocks: int | None, seed: int | None) -> tuple[list[str], int | None, int | None]:

@@ -35,13 +35,12 @@ def vectors(name: str, value: Any) -> np.ndarray:
     return array
 
 
-def check(name: str, array: np.ndarray, least: float, most: float = np.inf, excludes_least: bool = False) -> None:
+def check(name: str, array: np.ndarray, least: float, most: float = np.inf) -> None:
     """Refuses NaN and numbers out of range."""
-    good = (array > least if excludes_least else array >= least) & (array <= most)
+    good = (array >= least) & (array <= most)
     if good.all():
         return
-    word = "more than" if excludes_least else "at least"
-    limits = f"{word} {least:g}" if np.isinf(most) else f"{word} {least:g} and at most {most:g}"
+    limits = f"at least {least:g}" + ("" if np.isinf(most) else f" and at most {most:g}")
     raise BadInput(f"{name} is {array[~good].flat[0]:g} (expected {limits})")
 
 

@@ -9,6 +9,8 @@ import pytest
 SOURCE = Path(os.environ["TALUS_SOURCE"])
 PROGRAM = os.environ["TALUS_PROGRAM"]
 
+UNDER_ASAN = "libasan" in os.environ.get("LD_PRELOAD", "")
+
 SLOPE = """
 name = "Slope"
 [terrain]

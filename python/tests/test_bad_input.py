@@ -7,7 +7,7 @@ import pytest
 
 import talus
 
-from conftest import SLOPE, SOURCE
+from conftest import SLOPE, SOURCE, UNDER_ASAN
 
 
 def problems_of(call):
@@ -40,6 +40,12 @@ def test_wrong_values_of_a_setting(slope, value):
 def test_wrong_arguments_of_a_run(slope, arguments):
     model = talus.prepare(slope)
     problems_of(lambda: model.run(**arguments))
+
+
+@pytest.mark.skipif(UNDER_ASAN, reason="the sanitizer ends the process")
+def test_more_rocks_than_memory_holds(slope):
+    with pytest.raises(MemoryError, match="end points of 1000000000000 rocks .keep fewer"):
+        talus.prepare(slope).run(rocks=10**12)
 
 
 def test_a_setting_of_no_known_kind(slope):

@@ -12,7 +12,7 @@ import pytest
 
 import talus
 
-from conftest import SLOPE
+from conftest import SLOPE, UNDER_ASAN
 
 
 def test_a_run_has_its_tables(slope):
@@ -96,7 +96,7 @@ def test_a_model_can_be_used_by_several_threads(slope):
     assert found == expected
 
 
-@pytest.mark.skipif("libasan" in os.environ.get("LD_PRELOAD", ""), reason="the sanitizer holds freed memory back")
+@pytest.mark.skipif(UNDER_ASAN, reason="the sanitizer holds freed memory back")
 def test_many_runs_leak_nothing(slope):
     model = talus.prepare(slope)
 

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "support/dice.hpp"
-#include "talus/flight/drag.hpp"
 
 namespace talus {
 namespace {
@@ -21,7 +20,7 @@ TEST(StateWithDrag, IsTheClosedForm) {
     const Vec3 p = dice.in_cube(100), v = dice.in_cube(30);
     const long double k = rate, gone = -std::expm1(-k * t) / k;
     const Vec3 place = p + static_cast<double>(gone) * v + static_cast<double>((t - gone) / k) * gravity;
-    const FlightState state = state_with_drag(p, v, gravity, rate, t);
+    const FlightState state = state_with_drag(p, v, {rate, gravity}, t);
     EXPECT_LT((state.place - place).norm(), 1e-12 * (100 + place.norm())) << rate << " " << t;
     EXPECT_LT((state.velocity - (std::exp(-rate * t) * v + static_cast<double>(gone) * gravity)).norm(), 1e-12 * 100);
   }
@@ -32,7 +31,7 @@ TEST(StateWithDrag, IsAParabolaWithoutDrag) {
   const Vec3 p(1, 2, 3), v(4, 5, 6);
   const Parabola path{p, v, gravity};
   for (const double rate : {0.0, 1e-12, 1e-9, 1e-6}) {
-    const FlightState state = state_with_drag(p, v, gravity, rate, 2);
+    const FlightState state = state_with_drag(p, v, {rate, gravity}, 2);
     const Vec3 held_back = rate * (2 * v + gravity * 8 / 6);
     EXPECT_LT((path.at(2) - held_back - state.place).norm(), 1e-13 + 100 * rate * rate) << rate;
     EXPECT_LT((path.velocity(2) - state.velocity).norm(), 1e-13 + 100 * rate) << rate;
@@ -41,7 +40,7 @@ TEST(StateWithDrag, IsAParabolaWithoutDrag) {
 
 TEST(StateWithDrag, SinksAtItsTerminalVelocity) {
   const double rate = 75;
-  const FlightState state = state_with_drag(Vec3::Zero(), {3, 0, 4}, gravity, rate, 1000);
+  const FlightState state = state_with_drag(Vec3::Zero(), {3, 0, 4}, {rate, gravity}, 1000);
   EXPECT_NEAR(state.place.x(), 3 / rate, 1e-15);
   EXPECT_NEAR(state.velocity.z(), -standard_gravity / rate, 1e-15);
   EXPECT_NEAR(state.place.z(), 4 / rate - standard_gravity / rate * (1000 - 1 / rate), 1e-10);
