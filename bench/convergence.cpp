@@ -2,7 +2,10 @@
 // for each cell size the runout, the share of rocks that reach a line, and their energy and height there, each with its
 // sampling error (one standard error). For lumped mass and sphere, with and without roughness.
 //
-// Usage: bench_convergence [--rocks N] [--grazing DEGREES] [--knots METRES] [--finest METRES] [TERRAIN ...]
+// Usage: bench_convergence [--rocks N] [--grazing DEGREES] [--knots METRES] [--finest METRES] [--spacing METRES]
+//          [--tilts] [TERRAIN ...]
+//   --knots 0: raw ground, the elevations of the file with cubic interpolation between them
+//   --spacing: of bumps; --tilts: RocFall's law of roughness
 //   TERRAIN: `arc`, `waves`, or FILE,west,south,east,north,x1,y1,x2,y2,distance (convergence_terrain.hpp). Without one,
 //   `arc`, `waves` and the crater of examples/maungawhau.
 
@@ -19,7 +22,9 @@ namespace {
 struct Options {
   std::uint64_t rocks = 2000;
   std::optional<double> grazing_deg;
-  double knots = 10;  // of the smooth ground made from files [m]
+  double knots = 10;   // of the smooth ground made from files [m]; 0: raw ground
+  double spacing = 5;  // of bumps [m]
+  RoughnessLaw roughness = RoughnessLaw::faces;
   double finest = 0.5;
   std::vector<std::string> terrains;
 };
@@ -73,13 +78,14 @@ Sampler spread(double mean, double std_dev, Bounds bounds) {
   return Sampler(Distribution{mean, DistributionKind::normal, std_dev, 3 * std_dev, 3 * std_dev}, bounds);
 }
 
-Material material_for(const RockKind& kind) {
+Material material_for(const RockKind& kind, const Options& options) {
   Material material;
   material.normal_restitution = spread(0.35, 0.04, {0, 1});
   material.tangential_restitution = spread(0.85, 0.04, {0, 1});
   material.friction_angle = Sampler(Distribution{33, DistributionKind::normal, 2, 6, 6}, {0, 80}, radians);
   if (kind.roughness_deg > 0) {
-    material.roughness = Sampler(Distribution{0, DistributionKind::normal, kind.roughness_deg}, {}, radians);
+    material.roughness = RoughGround(
+        Sampler(Distribution{0, DistributionKind::normal, kind.roughness_deg}, {}, radians), options.spacing);
   }
   material.dynamic_friction = Sampler(0.5);
   material.rolling_friction = spread(0.5, 0.03, {0, 1});
@@ -104,9 +110,11 @@ std::pair<Vec2, Vec2> line_of(const bench::SmoothTerrain& terrain) {
 Model model_on(const bench::SmoothTerrain& terrain, double cell, const RockKind& kind, const Options& options) {
   Model model;
   RasterSurface surface(terrain.sampled(cell));
-  model.ground = Ground(material_for(kind));
+  model.ground = Ground(material_for(kind, options));
   model.laws.model = kind.model;
-  if (kind.model == RockModel::rigid_sphere) model.laws.impact = RigidSphereImpact{};
+  if (kind.model == RockModel::rigid_sphere) model.laws.impact = RigidSphereImpact{.has_crsp_damping = true};
+  model.laws.restitution_scaling.normal_speed = 9.144;
+  model.laws.roughness = options.roughness;
   if (options.grazing_deg) model.laws.grazing = std::sin(*options.grazing_deg * radians);
   const Vec2 along = (terrain.to - terrain.from).normalized();
 
@@ -196,6 +204,10 @@ Options options_of(int argc, char** argv) {
       options.grazing_deg = number();
     } else if (word == "--knots") {
       options.knots = number();
+    } else if (word == "--spacing") {
+      options.spacing = number();
+    } else if (word == "--tilts") {
+      options.roughness = RoughnessLaw::tilts;
     } else if (word == "--finest") {
       options.finest = number();
     } else {
@@ -227,8 +239,8 @@ void run(const Options& options) {
       options.rocks, options.knots);
   for (const std::string& text : options.terrains) {
     const bench::SmoothTerrain terrain = terrain_of(text, options.knots);
-    for (const RockKind kind : {RockKind{RockModel::lumped_mass, 0}, RockKind{RockModel::lumped_mass, 5},
-                                RockKind{RockModel::rigid_sphere, 0}, RockKind{RockModel::rigid_sphere, 5}}) {
+    for (const RockKind kind : {RockKind{RockModel::lumped_mass, 0}, RockKind{RockModel::lumped_mass, 10},
+                                RockKind{RockModel::rigid_sphere, 0}, RockKind{RockModel::rigid_sphere, 10}}) {
       for (const double cell : {10.0, 5.0, 2.5, 1.0, 0.5}) {
         if (cell >= options.finest) print_row(terrain, cell, kind, options);
       }

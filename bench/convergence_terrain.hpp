@@ -100,6 +100,40 @@ class SplineGround {
   std::vector<double> coefficients_;
 };
 
+/// The elevations of a file, unsmoothed, with cubic convolution between its nodes (R. G. Keys, IEEE Transactions on
+/// Acoustics, Speech, and Signal Processing 29 (1981) 1153-1160, a = -1/2), as GDAL's `cubic`: on cells of the file's
+/// size they are the file's, and finer cells are what such data are resampled to.
+class RawGround {
+ public:
+  RawGround(RasterGrid grid, double west, double south) : grid_(std::move(grid)), west_(west), south_(south) {}
+
+  [[nodiscard]] double operator()(double x, double y) const {
+    const auto [i, u] = place((west_ + x - grid_.x0) / grid_.dx, grid_.columns);
+    const auto [j, v] = place((south_ + y - grid_.y0) / grid_.dy, grid_.rows);
+    double z = 0;
+    for (std::uint32_t b = 0; b < 4; ++b) {
+      for (std::uint32_t a = 0; a < 4; ++a) z += u[a] * v[b] * static_cast<double>(grid_.z[grid_.index(i + a, j + b)]);
+    }
+    return z;
+  }
+
+ private:
+  struct Place {
+    std::uint32_t first;
+    std::array<double, 4> weights;
+  };
+  [[nodiscard]] static Place place(double at, std::uint32_t nodes) {
+    const double whole = std::clamp(std::floor(at), 1.0, nodes - 3.0), t = at - whole;
+    const double squared = t * t, cubed = squared * t;
+    return {static_cast<std::uint32_t>(whole) - 1,
+            {0.5 * (-cubed + 2 * squared - t), 0.5 * (3 * cubed - 5 * squared + 2),
+             0.5 * (-3 * cubed + 4 * squared + t), 0.5 * (cubed - squared)}};
+  }
+
+  RasterGrid grid_;
+  double west_, south_;
+};
+
 /// A slope that bends along a circular arc of radius 250 m from 45 degrees to level ground.
 inline SmoothTerrain arc_terrain() {
   const auto ground = [](double x, double) {
@@ -123,7 +157,8 @@ inline SmoothTerrain waves_terrain() {
 }
 
 /// Part of a raster, as FILE,west,south,east,north,x1,y1,x2,y2,distance in the file's coordinates: rocks are released
-/// from (x1, y1) to (x2, y2), run to the right of that line, and are counted at this distance from it.
+/// from (x1, y1) to (x2, y2), run to the right of that line, and are counted at this distance from it. `knots`: 0 for
+/// raw ground.
 inline SmoothTerrain file_terrain(const std::string& text, double knots) {
   std::vector<std::string> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -135,13 +170,19 @@ inline SmoothTerrain file_terrain(const std::string& text, double knots) {
   for (std::size_t k = 1; k < parts.size(); ++k) numbers.push_back(std::strtod(parts[k].c_str(), nullptr));
   if (numbers.size() != 9) throw std::invalid_argument("expected FILE,west,south,east,north,x1,y1,x2,y2,distance");
   Problems warnings;
-  const RasterFile file = read_raster_file(parts[0], warnings);
+  RasterFile file = read_raster_file(parts[0], warnings);
   const double west = numbers[0], south = numbers[1], width = numbers[2] - west, height = numbers[3] - south;
   const Vec2 corner(west, south);
+  std::function<double(double, double)> ground;
+  if (knots > 0) {
+    ground = SplineGround(file.grid, west, south, width, height, knots);
+  } else {
+    ground = RawGround(std::move(file.grid), west, south);
+  }
   return {std::filesystem::path(parts[0]).filename().string(),
           width,
           height,
-          SplineGround(file.grid, west, south, width, height, knots),
+          std::move(ground),
           Vec2(numbers[4], numbers[5]) - corner,
           Vec2(numbers[6], numbers[7]) - corner,
           numbers[8]};
