@@ -70,7 +70,7 @@ TEST(GroundDraw, ConstantsNeedNoDraw) {
   EXPECT_EQ(draw.friction_angle(material), soil.phi);
   EXPECT_EQ(draw.dynamic_friction(material), soil.mu);
   EXPECT_EQ(draw.rolling_friction(material), soil.rolling);
-  EXPECT_EQ(draw.roughness(material, 4)[0], 0);
+  EXPECT_EQ(draw.tilt_at_impact(material, 4).ahead, 0);
 }
 
 TEST(GroundDraw, PerImpactEveryContactIsANewDraw) {
@@ -94,7 +94,9 @@ TEST(GroundDraw, PerRockAMaterialIsTheSameAtEveryContact) {
   EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(draws, 1, 1).restitution(material));
   EXPECT_NE(draw(draws, 0, 1).restitution(material), draw(other_rock, 0, 1).restitution(material));
   // Roughness is drawn at every contact.
-  EXPECT_NE(draw(draws, 0, 1).roughness(material, 1), draw(draws, 0, 5).roughness(material, 5));
+  EXPECT_NE(draw(draws, 0, 1).tilt_at_impact(material, 1).ahead, draw(draws, 0, 5).tilt_at_impact(material, 5).ahead);
+  EXPECT_NE(draw(draws, 0, 1).met_face(material, 1, 0.5, 0.5, true)->ahead,
+            draw(draws, 0, 5).met_face(material, 5, 0.5, 0.5, true)->ahead);
 }
 
 // Ahead, angles have the given distribution; aside, its mixture with its mirror image, or rocks would drift to one
@@ -110,7 +112,7 @@ TEST(GroundDraw, RoughGroundIsSymmetricAside) {
   double ahead = 0, aside = 0, squares = 0, product = 0;
   for (std::uint64_t rock = 0; rock < rocks; ++rock) {
     const Draws draws(SamplingPlan{}, rock);
-    const auto [x, y] = GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, 3).roughness(material, 3);
+    const auto [x, y] = GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, 3).tilt_at_impact(material, 3);
     ahead += x / rocks;
     aside += y / rocks;
     squares += y * y / rocks;

@@ -47,12 +47,14 @@ TEST(Roughness, AnglesHaveTheirStandardDeviation) {
   Soil soil;
   soil.roughness = 0.1;
   const Material material = material_of(soil);
-  EXPECT_TRUE(material.is_rough());
+  EXPECT_FALSE(material.roughness.is_smooth());
   const int count = 20'000;
   double sum[2] = {0, 0}, squares[2] = {0, 0}, product = 0;
   for (int i = 0; i < count; ++i) {
     const Draws draws(SamplingPlan{}, static_cast<std::uint64_t>(i));
-    const auto tilt = GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, 3).roughness(material, 3);
+    const auto [ahead, aside] =
+        GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, 3).tilt_at_impact(material, 3);
+    const double tilt[] = {ahead, aside};
     for (std::size_t k = 0; k < 2; ++k) {
       sum[k] += tilt[k];
       squares[k] += tilt[k] * tilt[k];
@@ -70,16 +72,15 @@ TEST(Roughness, AnglesHaveTheirStandardDeviation) {
 // Two heights of standard deviation s, a spacing d apart: the tangent of the angle has standard deviation sqrt(2) s/d.
 TEST(Roughness, SpacingAndAmplitude) {
   Material material = material_of({});
-  EXPECT_FALSE(material.is_rough());
-  material.roughness_spacing = 2;
-  material.roughness_amplitude = 0.1;
-  EXPECT_TRUE(material.is_rough());
+  EXPECT_TRUE(material.roughness.is_smooth());
+  material.roughness = RoughGround(Sampler(0.0), 2, 0.1);
+  EXPECT_FALSE(material.roughness.is_smooth());
   const int count = 20'000;
   double squares = 0;
   for (int i = 0; i < count; ++i) {
     const Draws draws(SamplingPlan{}, static_cast<std::uint64_t>(i));
-    const auto tilt = GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, 0).roughness(material, 0);
-    squares += std::tan(tilt[0]) * std::tan(tilt[0]);
+    const FaceTilt tilt = GroundDraw(draws, MaterialSampling::per_impact, MaterialId{0}, 0).tilt_at_impact(material, 0);
+    squares += std::tan(tilt.ahead) * std::tan(tilt.ahead);
   }
   const double variance = 2 * 0.1 * 0.1 / 4;
   EXPECT_LT(std::abs(squares / count - variance), 4 * variance * std::sqrt(2.0 / count));

@@ -290,16 +290,9 @@ std::vector<double> ends_of(const std::string& text) {
 
 TEST(BuildModel, SettingsOfOneRockModelAffectOnlyThatModel) {
   const std::map<std::string_view, std::string> others{
-      {"rotation", "false"},
-      {"sliding", "\"closed_form\""},
-      {"friction_angle", "\"zero\""},
-      {"friction_angle_deg", "5"},
-      {"tangential_crsp_damping", "true"},
-      {"roughness_spacing_m", "0.5"},
-      {"roughness_amplitude_m", "0.3"},
-      {"rolling_resistance_in_impacts", "false"},
-      {"dynamic_friction", "0.05"},
-      {"rolling_friction", "0.4"},
+      {"rotation", "false"},        {"sliding", "\"closed_form\""},       {"friction_angle", "\"zero\""},
+      {"friction_angle_deg", "5"},  {"tangential_crsp_damping", "false"}, {"rolling_resistance_in_impacts", "false"},
+      {"dynamic_friction", "0.05"}, {"rolling_friction", "0.4"},
   };
   // Rough ground on which a rock slides, with a bend that it grazes.
   const std::string ground =
@@ -313,21 +306,13 @@ TEST(BuildModel, SettingsOfOneRockModelAffectOnlyThatModel) {
       ++tried;
       ASSERT_TRUE(others.contains(setting.key)) << setting.key;
       const std::string line = std::string(setting.key) + " = " + others.at(setting.key) + "\n";
-      // Bumps need both a height and a distance.
-      const std::string bumps = "roughness_spacing_m = 1\nroughness_amplitude_m = 0.1\n";
-      const bool is_bump = setting.key.starts_with("roughness_");
       for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere}) {
         const std::string analysis = "[analysis]\nmodel = \"" + std::string(word(model)) + "\"\n";
         const auto project = [&](const std::string& more) {
           if (table.key == "analysis") return analysis + more + ground;
           return analysis + replaced(ground, "[[material]]\n", "[[material]]\n" + more);
         };
-        const std::string with =
-            !is_bump
-                ? line
-                : replaced(bumps, std::string(setting.key) + (setting.key.ends_with("spacing_m") ? " = 1" : " = 0.1"),
-                           std::string(setting.key) + " = " + others.at(setting.key));
-        const auto before = ends_of(project(is_bump ? bumps : "")), after = ends_of(project(with));
+        const auto before = ends_of(project("")), after = ends_of(project(line));
         if (model == *only_model(setting)) {
           EXPECT_NE(before, after) << setting.key;
         } else {
@@ -337,6 +322,42 @@ TEST(BuildModel, SettingsOfOneRockModelAffectOnlyThatModel) {
     }
   }
   EXPECT_EQ(tried, others.size());
+}
+
+// A rough slope on which rocks of both models bounce, slide and roll.
+const std::string rough_slope =
+    replaced(replaced(replaced(flat_2d, "[10, -10], [20, -10]", "[10, -10], [12, -11.5], [20, -13], [60, -15]"),
+                      "name = \"Rock\"", "name = \"Rock\"\nroughness_deg = 6\nroughness_spacing_m = 2"),
+             "mass_kg = 100", "mass_kg = 100\nrocks = 20\nhorizontal_velocity_m_s = 5");
+
+// `laws` is one word for five keys, each of which can still be given.
+TEST(BuildModel, OneWordChoosesTheLaws) {
+  const std::string spelled =
+      "grazing_angle_deg = 0\nroughness_law = \"tilts\"\nscale_rn_by_velocity = false\n"
+      "tangential_crsp_damping = false\nrolling_resistance_in_impacts = false\n";
+  for (const std::string model : {"lumped_mass", "rigid_sphere"}) {
+    const std::string head = "[analysis]\nmodel = \"" + model + "\"\n";
+    const auto talus = ends_of(head + rough_slope), rocfall = ends_of(head + "laws = \"rocfall\"\n" + rough_slope);
+    EXPECT_NE(talus, rocfall) << model;
+    EXPECT_EQ(talus, ends_of(head + "laws = \"talus\"\n" + rough_slope)) << model;
+    EXPECT_EQ(rocfall, ends_of(head + spelled + rough_slope)) << model;
+    // In whatever order.
+    EXPECT_NE(rocfall, ends_of(head + "scale_rn_by_velocity = true\nlaws = \"rocfall\"\n" + rough_slope)) << model;
+    EXPECT_EQ(talus, ends_of(head + "laws = \"rocfall\"\ngrazing_angle_deg = 15\nroughness_law = \"faces\"\n" +
+                             "scale_rn_by_velocity = true\ntangential_crsp_damping = true\n" +
+                             "rolling_resistance_in_impacts = true\n" + rough_slope))
+        << model;
+  }
+}
+
+// Both models meet the same faces and bumps; with RocFall's laws, heights of the ground are for spheres alone.
+TEST(BuildModel, RoughnessFromHeightsIsForBothModels) {
+  const std::string heights = replaced(rough_slope, "roughness_deg = 6\nroughness_spacing_m = 2",
+                                       "roughness_amplitude_m = 0.05\nroughness_spacing_m = 0.5");
+  const std::string smooth = replaced(rough_slope, "roughness_deg = 6", "roughness_deg = 0");
+  EXPECT_NE(ends_of(heights), ends_of(smooth));
+  const std::string rocfall = "[analysis]\nlaws = \"rocfall\"\n";
+  EXPECT_EQ(ends_of(rocfall + heights), ends_of(rocfall + smooth));
 }
 
 }  // namespace

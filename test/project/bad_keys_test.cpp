@@ -65,10 +65,10 @@ height_m = 2)"}},
      "slope.toml:25: seeder \"Crest\": unknown key \"height_m\". It belongs to [[barrier]]"},
     {"UnknownKeyLikeNoOther",
      {{"gravity_m_s2 = 9.81", "wind = 3"}},
-     "slope.toml:4: [analysis]: unknown key \"wind\" (expected one of model, rotation, gravity_m_s2, sliding, "
+     "slope.toml:4: [analysis]: unknown key \"wind\" (expected one of laws, model, rotation, gravity_m_s2, sliding, "
      "max_timestep_s, normal_velocity_cutoff_m_s, grazing_angle_deg, stopped_velocity_m_s, max_steps, max_time_s, "
-     "energy_datum_m, friction_angle, scale_rn_by_velocity, rn_velocity_scale_m_s, scale_rn_by_mass, rn_mass_scale_kg, "
-     "tangential_crsp_damping or rolling_resistance_in_impacts)"},
+     "energy_datum_m, friction_angle, roughness_law, scale_rn_by_velocity, rn_velocity_scale_m_s, scale_rn_by_mass, "
+     "rn_mass_scale_kg, tangential_crsp_damping or rolling_resistance_in_impacts)"},
     {"UnknownTable",
      {{"[analysis]", "[analisys]"}},
      "slope.toml:3: unknown table [analisys]. Did you mean [analysis]?"},

@@ -196,12 +196,18 @@ vtk = true
     {"SettingsWithoutEffect",
      {{"[analysis]",
        R"([analysis]
+laws = "rocfall"
 rn_velocity_scale_m_s = 9
-rn_mass_scale_kg = 9
-tangential_crsp_damping = true)"}},
-     "slope.toml:4: warning: [analysis]: rn_velocity_scale_m_s has no effect (it needs scale_rn_by_velocity = true)\n"
-     "slope.toml:5: warning: [analysis]: rn_mass_scale_kg has no effect (it needs scale_rn_by_mass = true)\n"
-     "slope.toml:6: warning: [analysis]: tangential_crsp_damping has no effect (it needs model = \"rigid_sphere\")"},
+rn_mass_scale_kg = 9)"}},
+     "slope.toml:5: warning: [analysis]: rn_velocity_scale_m_s has no effect (it needs scale_rn_by_velocity = true)\n"
+     "slope.toml:6: warning: [analysis]: rn_mass_scale_kg has no effect (it needs scale_rn_by_mass = true)"},
+    {"SettingsWithAnEffectByDefault",
+     {{"[analysis]",
+       R"([analysis]
+rn_velocity_scale_m_s = 9
+tangential_crsp_damping = true
+rolling_resistance_in_impacts = false)"}},
+     ""},
     {"RotationOffForASphere",
      {{"[analysis]",
        R"([analysis]

@@ -34,6 +34,7 @@ logo = "logo.png"
 paper = "A3"
 units = "us"
 [analysis]
+laws = "rocfall"
 model = "rigid_sphere"
 rotation = true
 gravity_m_s2 = 9.81
@@ -46,6 +47,7 @@ max_steps = 20000
 max_time_s = 700.5
 energy_datum_m = -25
 friction_angle = "tangential_restitution"
+roughness_law = "tilts"
 scale_rn_by_velocity = true
 rn_velocity_scale_m_s = 9
 scale_rn_by_mass = true
@@ -154,6 +156,8 @@ opacity = 0.5
 visible = false
 [analysis]
 rotation = false
+scale_rn_by_velocity = false
+tangential_crsp_damping = false
 [terrain]
 vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0.1]]
 triangles = [[0, 1, 2]]

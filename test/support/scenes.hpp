@@ -18,6 +18,7 @@ struct Soil {
   double phi = 0.5;                 // friction angle [rad]
   double mu = 0.5, rolling = 0.05;  // rigid sphere
   double roughness = 0;             // standard deviation of the tilt [rad]
+  double bump_spacing = 0;          // [m]
 };
 
 [[nodiscard]] inline Material material_of(const Soil& soil) {
@@ -26,12 +27,11 @@ struct Soil {
   material.normal_restitution = Sampler(soil.rn);
   material.tangential_restitution = Sampler(soil.rt);
   material.friction_angle = Sampler(soil.phi);
-  material.roughness = Sampler(0.0);
   if (soil.roughness > 0) {
     Distribution tilt;
     tilt.kind = DistributionKind::normal;
     tilt.std_dev = soil.roughness;
-    material.roughness = Sampler(tilt, Bounds{});
+    material.roughness = RoughGround(Sampler(tilt, Bounds{}), soil.bump_spacing);
   }
   material.dynamic_friction = Sampler(soil.mu);
   material.rolling_friction = Sampler(soil.rolling);

@@ -24,6 +24,7 @@ Laws random_laws(Dice& dice) {
   const RockModel model = dice.chance(0.5) ? RockModel::lumped_mass : RockModel::rigid_sphere;
   set_model(laws, model, dice.chance(0.5));
   laws.sliding = dice.chance(0.5) ? SlidingMethod::stepped : SlidingMethod::closed_form;
+  if (dice.chance(0.25)) laws.roughness = RoughnessLaw::tilts;
   const bool is_damped = dice.chance(0.2);
   if (auto* sphere = std::get_if<RigidSphereImpact>(&laws.impact)) sphere->has_crsp_damping = is_damped;
   return laws;
@@ -36,7 +37,10 @@ Soil random_soil(Dice& dice) {
   soil.phi = dice.between(0.05, 0.9);
   soil.mu = dice.between(0.05, 1);
   soil.rolling = dice.between(0.02, 0.4);
-  if (dice.chance(0.25)) soil.roughness = dice.between(0.01, 0.3);
+  if (dice.chance(0.4)) {
+    soil.roughness = dice.between(0.01, 0.3);
+    soil.bump_spacing = dice.chance(0.2) ? 0 : dice.magnitude(0.05, 20);
+  }
   return soil;
 }
 
@@ -48,8 +52,9 @@ std::string describe(const Laws& laws, const Soil& soil, const Release& release,
          (is_plain ? " plain" : "") + (laws.sliding == SlidingMethod::stepped ? " stepped" : " closed") +
          (sphere && sphere->has_crsp_damping ? " damped" : "") + " rn " + std::to_string(soil.rn) + " rt " +
          std::to_string(soil.rt) + " phi " + std::to_string(soil.phi) + " mu " + std::to_string(soil.mu) + " rolling " +
-         std::to_string(soil.rolling) + " rough " + std::to_string(soil.roughness) + " p " + text(m.position) + " v " +
-         text(m.velocity) + " w " + text(m.spin) + " r " + std::to_string(release.rock.radius);
+         std::to_string(soil.rolling) + " rough " + std::to_string(soil.roughness) + " bumps " +
+         std::to_string(soil.bump_spacing) + " p " + text(m.position) + " v " + text(m.velocity) + " w " +
+         text(m.spin) + " r " + std::to_string(release.rock.radius);
 }
 
 // A description of what is wrong with a path; empty if nothing is. The rows are complete: an arrival and a departure

@@ -22,6 +22,8 @@ enum class Stream : std::uint32_t {
   rolling_friction = 8,
   roughness = 9,
   slope_vertex = 10,  // first number: x, second: z
+  met_face = 11,      // of rough ground: pairs of proposals (ground/rough_ground.hpp)
+  bump = 12,          // the way along rough ground to the next bump
 };
 
 /// The generator: four words, a pure function of the arguments.

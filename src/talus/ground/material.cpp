@@ -1,19 +1,9 @@
 #include "talus/ground/material.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/erf.hpp>
-#include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace talus {
-
-namespace {
-
-// A standard normal number from a uniform one.
-double standard_normal(double u) { return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * u); }
-
-}  // namespace
 
 Ground::Ground(std::vector<Material> materials, std::vector<std::uint8_t> of_cell) : materials_(std::move(materials)) {
   const bool varies = std::adjacent_find(of_cell.begin(), of_cell.end(), std::not_equal_to<>()) != of_cell.end();
@@ -47,24 +37,16 @@ double GroundDraw::rolling_friction(const Material& material) const {
   return mu.is_constant() ? mu.draw(0.5) : mu.draw(draws_.one(Stream::rolling_friction, index_));
 }
 
-std::array<double, 2> GroundDraw::roughness(const Material& material, std::uint32_t contact) const {
-  const auto u = draws_.pair(Stream::roughness, 2 * contact);
-  std::array<double, 2> tilt{0, 0};
-  if (!material.roughness.is_constant()) {
-    // Ahead, the mean angle may be positive or negative; aside, both sides are equally likely.
-    const bool is_left = u[1] < 0.5;
-    const double aside = std::clamp(is_left ? 2 * u[1] : 2 * u[1] - 1, 0x1p-53, 1 - 0x1p-53);
-    tilt = {material.roughness.draw(u[0]), (is_left ? -1 : 1) * material.roughness.draw(aside)};
-  }
-  if (material.is_bumpy()) {
-    // The difference of two independent heights, sqrt(2) amplitudes wide.
-    const auto heights = draws_.pair(Stream::roughness, 2 * contact + 1);
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double rise = std::numbers::sqrt2 * material.roughness_amplitude * standard_normal(heights[k]);
-      tilt[k] += std::atan(rise / material.roughness_spacing);
-    }
-  }
-  return tilt;
+std::optional<FaceTilt> GroundDraw::met_face(const Material& material, std::uint32_t contact, double sin_a,
+                                             double cos_a, bool in_section) const {
+  const std::uint32_t first = 2 * RoughGround::max_proposals * contact;
+  return material.roughness.met_face(sin_a, cos_a, in_section,
+                                     [&](std::uint32_t k) { return draws_.pair(Stream::met_face, first + k); });
+}
+
+FaceTilt GroundDraw::tilt_at_impact(const Material& material, std::uint32_t contact) const {
+  return material.roughness.tilt_at_impact(
+      [&](std::uint32_t k) { return draws_.pair(Stream::roughness, 2 * contact + k); });
 }
 
 }  // namespace talus

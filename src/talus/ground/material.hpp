@@ -9,6 +9,7 @@
 
 #include "talus/core/id.hpp"
 #include "talus/core/shared.hpp"
+#include "talus/ground/rough_ground.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 
@@ -19,18 +20,14 @@ struct Material {
   Sampler normal_restitution;      // Rn, 0 to 1
   Sampler tangential_restitution;  // Rt, 0 to 1
   Sampler friction_angle;          // phi [rad], lumped mass
-  Sampler roughness;               // angle that tilts the local normal [rad]
-  double roughness_spacing = 0;    // distance of neighbouring points of rough ground [m]; rigid sphere, 0: off
-  double roughness_amplitude = 0;  // standard deviation of their heights above the facet [m]
+  RoughGround roughness;           // the faces that stand on a facet
   Sampler dynamic_friction;        // mu, rigid sphere
   Sampler rolling_friction;        // mu_r, rigid sphere
   double forest_drag = 0;          // b of the force -b v in its forest [kg/s]; 0: no forest
   double forest_height = 0;        // height above the ground below which the forest brakes [m]
   double ground_drag = 0;          // drag on a sliding or rolling rock, over mass and velocity [1/s]
 
-  [[nodiscard]] bool is_rough() const { return !roughness.is_constant() || is_bumpy(); }
   [[nodiscard]] bool has_forest() const { return forest_drag > 0 && forest_height > 0; }
-  [[nodiscard]] bool is_bumpy() const { return roughness_spacing > 0 && roughness_amplitude > 0; }
 };
 
 /// The materials, and where they are.
@@ -57,6 +54,10 @@ class Ground {
   [[nodiscard]] const std::vector<Material>& materials() const { return materials_; }
   /// Replaces the properties of all materials; where they are does not change. Expects as many as there are.
   void set_materials(std::vector<Material> materials) { materials_ = std::move(materials); }
+  [[nodiscard]] bool is_rough() const {
+    return std::any_of(materials_.begin(), materials_.end(),
+                       [](const Material& m) { return !m.roughness.is_smooth(); });
+  }
   [[nodiscard]] bool has_forest() const {
     return std::any_of(materials_.begin(), materials_.end(), [](const Material& m) { return m.has_forest(); });
   }
@@ -87,9 +88,12 @@ class GroundDraw {
   [[nodiscard]] double friction_angle(const Material& material) const;
   [[nodiscard]] double dynamic_friction(const Material& material) const;
   [[nodiscard]] double rolling_friction(const Material& material) const;
-  /// Two independent angles that tilt the ground, ahead and aside [rad]. They are drawn at every contact, numbered
-  /// `contact`, also with sampling per rock.
-  [[nodiscard]] std::array<double, 2> roughness(const Material& material, std::uint32_t contact) const;
+  // The faces of rough ground are drawn at every contact, numbered `contact`, also with sampling per rock.
+  /// RoughGround::met_face.
+  [[nodiscard]] std::optional<FaceTilt> met_face(const Material& material, std::uint32_t contact, double sin_a,
+                                                 double cos_a, bool in_section) const;
+  /// RoughGround::tilt_at_impact.
+  [[nodiscard]] FaceTilt tilt_at_impact(const Material& material, std::uint32_t contact) const;
 
  private:
   const Draws& draws_;

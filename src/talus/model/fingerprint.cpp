@@ -101,8 +101,8 @@ void put_sample(ByteWriter& out, const Sampler& sampler) {
 
 void put(ByteWriter& out, const talus::Material& material) {
   for (const Sampler* sampler :
-       {&material.normal_restitution, &material.tangential_restitution, &material.friction_angle, &material.roughness,
-        &material.dynamic_friction, &material.rolling_friction})
+       {&material.normal_restitution, &material.tangential_restitution, &material.friction_angle,
+        &material.roughness.tilt(), &material.dynamic_friction, &material.rolling_friction})
     put_sample(out, *sampler);
 }
 

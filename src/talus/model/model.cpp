@@ -23,17 +23,15 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180;
 
-talus::Material material_of(const Material& m, RockModel model) {
+talus::Material material_of(const Material& m, const Analysis& a) {
   talus::Material material;
   material.name = m.name;
   material.normal_restitution = sampler_of("normal_restitution", m.normal_restitution);
   material.tangential_restitution = sampler_of("tangential_restitution", m.tangential_restitution);
   material.friction_angle = sampler_of("friction_angle_deg", m.friction_angle_deg, radians);
-  material.roughness = sampler_of("roughness_deg", m.roughness_deg, radians);
-  if (model == RockModel::rigid_sphere) {
-    material.roughness_spacing = m.roughness_spacing_m;
-    material.roughness_amplitude = m.roughness_amplitude_m;
-  }
+  const bool has_heights = a.model == RockModel::rigid_sphere || a.roughness == RoughnessLaw::faces;
+  material.roughness = RoughGround(sampler_of("roughness_deg", m.roughness_deg, radians), m.roughness_spacing_m,
+                                   has_heights ? m.roughness_amplitude_m : 0);
   material.dynamic_friction = sampler_of("dynamic_friction", m.dynamic_friction);
   material.rolling_friction = sampler_of("rolling_friction", m.rolling_friction);
   if (m.forest_drag_kg_s) {
@@ -50,7 +48,7 @@ talus::Material material_of(const Material& m, RockModel model) {
 
 std::vector<talus::Material> materials_of(const Project& project) {
   std::vector<talus::Material> materials;
-  for (const Material& material : project.materials) materials.push_back(material_of(material, project.analysis.model));
+  for (const Material& material : project.materials) materials.push_back(material_of(material, project.analysis));
   return materials;
 }
 
@@ -75,6 +73,7 @@ Laws laws_of(const Project& project) {
   laws.max_steps = a.max_steps;
   laws.max_time = a.max_time_s;
   laws.friction_source = a.friction_angle;
+  laws.roughness = a.roughness;
   if (a.scale_rn_by_velocity) laws.restitution_scaling.normal_speed = a.rn_velocity_scale_m_s;
   if (a.scale_rn_by_mass) laws.restitution_scaling.mass = a.rn_mass_scale_kg;
   laws.material_sampling = project.sampling.materials;

@@ -33,6 +33,12 @@ std::string text_of(const nlohmann::ordered_json& value) {
   return value.is_number() ? number_text(value.get<double>()) : value.dump();
 }
 
+/// The laws that a project chooses.
+LawSet laws_in(const toml::table& root) {
+  const std::string_view given = root["analysis"]["laws"].value_or(std::string_view());
+  return value_of<LawSet>(given).value_or(LawSet::talus);
+}
+
 std::string value_in_words(const Subject& subject, std::string_view value) {
   const auto standard = default_of(subject.table, *subject.table.find(subject.key));
   const bool is_bare = value == "true" || value == "false" || !standard || !standard->is_string();
@@ -91,7 +97,7 @@ NotMet message(const Table& table, const Setting& setting, const Need& need, std
 
 std::string ConditionCheck::text(const Table& table, const toml::table* row, std::string_view key) const {
   if (const toml::node* node = row ? row->get(key) : nullptr) return text_of(*node);
-  const auto standard = default_of(table, *table.find(key));
+  const auto standard = default_of(table, *table.find(key), laws_in(root_));
   return standard ? text_of(*standard) : "";
 }
 

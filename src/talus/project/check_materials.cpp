@@ -34,6 +34,7 @@ void MaterialRules::check() const {
     if (!rows[i]) continue;
     const std::string where = name_of_row(table("material"), *rows[i], i);
     check_forest(project.materials[i], *rows[i], where);
+    if (project.analysis.roughness == RoughnessLaw::faces) check_faces(project.materials[i], *rows[i], where);
     if (project.analysis.model == RockModel::rigid_sphere) check_sphere(project.materials[i], *rows[i], where);
   }
   check_roughness();
@@ -46,6 +47,17 @@ void MaterialRules::check_forest(const Material& material, const toml::table& ro
   report({forest, &row, "forest_height_m"}, where, "forest_height_m is missing",
          "a forest slows rocks only up to its effective height",
          "Give the height above the ground up to which trunks and branches slow rocks", Severity::error);
+}
+
+/// The tilts of faces are given in one way.
+void MaterialRules::check_faces(const Material& material, const toml::table& row, const std::string& where) const {
+  const bool has_tilt = material.roughness_deg.mean > 0 || material.roughness_deg.kind != DistributionKind::none;
+  if (!has_tilt || !(material.roughness_amplitude_m > 0)) return;
+  const toml::node* amplitude = row.get("roughness_amplitude_m");
+  report({amplitude, &row, "roughness_amplitude_m"}, where, "roughness_amplitude_m is given beside roughness_deg",
+         "both say how the faces of the ground are tilted",
+         "Give one of them, or roughness_law = \"tilts\" in [analysis], which adds them as RocFall does",
+         Severity::error);
 }
 
 void MaterialRules::check_sphere(const Material& material, const toml::table& row, const std::string& where) const {

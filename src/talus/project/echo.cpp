@@ -92,6 +92,7 @@ struct Writer {
     return two_dimensional ? Json{(**slot.point)[0]} : Json(**slot.point);
   }
   Written operator()(PlanPolygonSlot slot) const { return (*this)(slot.polygon); }
+  Written operator()(LawsSlot slot) const { return word(slot.analysis->laws); }
   Written operator()(LibrarySlot slot) const { return (*this)(&slot.material->like); }
   Written operator()(DirectionSlot slot) const {
     if (!*slot.direction) return Json("downslope");
@@ -134,13 +135,14 @@ void drop_excluded(const Table& table, Json& row) {
 
 Written written(const Slot& slot, bool two_dimensional) { return std::visit(Writer{two_dimensional}, slot); }
 
-Written default_of(const Table& table, const Setting& setting) {
+Written default_of(const Table& table, const Setting& setting, LawSet laws) {
   if (setting.required) return std::nullopt;
   if (!table.add) {
     Distribution blank;
     return written(setting.slot(&blank), false);
   }
   Project blank;
+  blank.analysis = Analysis::of_laws(laws);
   return written(setting.slot(table.add(blank)), false);
 }
 

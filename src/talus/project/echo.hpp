@@ -24,6 +24,8 @@ namespace talus::project {
 [[nodiscard]] std::optional<nlohmann::ordered_json> written(const Slot& slot, bool two_dimensional);
 
 /// The value of a setting without its key; nullopt if it has no fixed default (see `Setting::without_it`).
-[[nodiscard]] std::optional<nlohmann::ordered_json> default_of(const Table& table, const Setting& setting);
+/// The default with a set of laws.
+[[nodiscard]] std::optional<nlohmann::ordered_json> default_of(const Table& table, const Setting& setting,
+                                                               LawSet laws = LawSet::talus);
 
 }  // namespace talus::project

@@ -28,8 +28,12 @@ namespace talus::project {
   return distribution;
 }
 
+/// Whose laws rocks obey: Talus' own, or those of RocFall2 and RocFall3, which the published tables need.
+enum class LawSet { talus, rocfall };
+
 /// [analysis]
 struct Analysis {
+  LawSet laws = LawSet::talus;  // the defaults of the rest: of_laws()
   RockModel model = RockModel::lumped_mass;
   bool rotation = true;
   double gravity_m_s2 = standard_gravity;
@@ -42,12 +46,27 @@ struct Analysis {
   double max_time_s = 600;
   std::optional<double> energy_datum_m;
   FrictionSource friction_angle = FrictionSource::material;
-  bool scale_rn_by_velocity = false;
+  RoughnessLaw roughness = RoughnessLaw::faces;
+  bool scale_rn_by_velocity = true;
   double rn_velocity_scale_m_s = 9.144;
   bool scale_rn_by_mass = false;
   double rn_mass_scale_kg = 1000;
-  bool tangential_crsp_damping = false;       // rigid sphere only
+  bool tangential_crsp_damping = true;        // rigid sphere only
   bool rolling_resistance_in_impacts = true;  // rigid sphere only
+
+  /// The defaults with these laws.
+  [[nodiscard]] static Analysis of_laws(LawSet laws) {
+    Analysis analysis;
+    if (laws == LawSet::rocfall) {
+      analysis.laws = laws;
+      analysis.grazing_angle_deg = 0;
+      analysis.roughness = RoughnessLaw::tilts;
+      analysis.scale_rn_by_velocity = false;
+      analysis.tangential_crsp_damping = false;
+      analysis.rolling_resistance_in_impacts = false;
+    }
+    return analysis;
+  }
 };
 
 /// [sampling]
@@ -111,8 +130,8 @@ struct Material {
   Distribution tangential_restitution = constant(0.85);
   Distribution friction_angle_deg = constant(30);
   Distribution roughness_deg = constant(0);  // a plain number is the standard deviation of the tilt
-  double roughness_spacing_m = 0;            // rigid sphere
-  double roughness_amplitude_m = 0;          // rigid sphere
+  double roughness_spacing_m = 5;
+  double roughness_amplitude_m = 0;
   Distribution dynamic_friction = constant(0.5);
   Distribution rolling_friction = constant(0.1);
   Forest forest = Forest::none;  // or forest_drag_kg_s; either needs forest_height_m

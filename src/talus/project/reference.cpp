@@ -46,6 +46,7 @@ struct Named {
   }
   std::string operator()(PlanPolygonSlot) const { return "list of pairs"; }
   std::string operator()(LibrarySlot) const { return "text"; }
+  std::string operator()(LawsSlot) const { return words_text(words<LawSet>()); }
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> std::string operator()(const Enumeration*) const {
     return words_text(words<Enumeration>());
@@ -91,7 +92,9 @@ std::string value_text(const nlohmann::ordered_json& value) {
 std::string default_text(const Table& table, const Setting& setting) {
   if (setting.required) return "required";
   if (!setting.without_it.empty()) return std::string(setting.without_it);
-  return value_text(default_of(table, setting).value());
+  const auto value = default_of(table, setting).value(), rocfall = default_of(table, setting, LawSet::rocfall).value();
+  if (value == rocfall || setting.key == "laws") return value_text(value);
+  return fmt::format("{}; {} with `laws = \"{}\"`", value_text(value), value_text(rocfall), word(LawSet::rocfall));
 }
 
 /// When a setting applies: "with `points` or `lines`; not with `width_m`".

@@ -83,6 +83,7 @@ struct Typed {
     return {{"anyOf", Json::array({Json{{"type", "boolean"}}, std::move(names)})}};
   }
   Json operator()(PlanPolygonSlot) const { return list_of(tuple_of(number(), 2, 2), 3); }
+  Json operator()(LawsSlot) const { return {{"enum", Json(words<LawSet>())}}; }
   Json operator()(LibrarySlot) const {
     Json keys = Json::array();
     for (const LibraryMaterial& entry : material_library().materials) keys.push_back(entry.key);
@@ -156,6 +157,9 @@ Json table_schema(const Table& table) {
     if (!setting.unit.empty()) property["x-unit"] = std::string(setting.unit);
     if (auto value = default_of(table, setting); value && setting.without_it.empty() && *value != "inf") {
       property["default"] = std::move(*value);
+      const auto rocfall = default_of(table, setting, LawSet::rocfall);
+      if (rocfall && *rocfall != property["default"])
+        property["x-default-by-laws"] = {{word(LawSet::rocfall), *rocfall}};
     } else if (!setting.without_it.empty()) {
       property["x-without-it"] = std::string(setting.without_it);
     }

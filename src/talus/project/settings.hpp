@@ -65,6 +65,9 @@ struct PlanPolygonSlot {
 struct LibrarySlot {
   Material* material;  // the key of a library material, whose values it takes
 };
+struct LawsSlot {
+  Analysis* analysis;  // the word of a set of laws, whose defaults it takes
+};
 struct DirectionSlot {
   std::optional<std::array<double, 3>>* direction;  // [x, z] or [x, y, z], or "downslope" (nullopt)
 };
@@ -94,7 +97,7 @@ struct SlotWith<const std::tuple<Listed...>> {
                             std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
                             std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*...,
                             PositionSlot, PointsSlot, PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot,
-                            DirectionSlot, LimitSlot, MapCellSlot, SectionSlot, FilesSlot>;
+                            LawsSlot, DirectionSlot, LimitSlot, MapCellSlot, SectionSlot, FilesSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.

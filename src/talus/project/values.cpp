@@ -421,6 +421,13 @@ bool ValueReader::into(const Value& value, MapSubjects* member) {
   return good;
 }
 
+bool ValueReader::into(const Value& value, LawsSlot slot) {
+  LawSet laws{};
+  if (!into(value, &laws)) return false;
+  *slot.analysis = Analysis::of_laws(laws);
+  return true;
+}
+
 bool ValueReader::into(const Value& value, LibrarySlot slot) {
   std::string key;
   if (!into(value, &key)) return false;

@@ -80,6 +80,7 @@ class ValueReader {
   bool into(const Value&, PlanPointSlot);
   bool into(const Value&, PlanPolygonSlot);
   bool into(const Value&, LibrarySlot);
+  bool into(const Value&, LawsSlot);
   bool into(const Value&, DirectionSlot);
   bool into(const Value&, LimitSlot);
   bool into(const Value&, MapCellSlot);

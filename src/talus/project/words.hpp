@@ -31,9 +31,11 @@ template <class Enumeration, class... Text>
 /// Every enumeration that a setting can be. Readers, schema and echo of a setting (`Slot` in settings.hpp) follow from
 /// this list.
 inline constexpr std::tuple enumerations{
+    worded<LawSet>("talus", "rocfall"),
     worded<RockModel>("lumped_mass", "rigid_sphere"),
     worded<SlidingMethod>("stepped", "closed_form"),
     worded<FrictionSource>("material", "tangential_restitution", "zero"),
+    worded<RoughnessLaw>("faces", "tilts"),
     worded<MaterialSampling>("per_impact", "per_rock"),
     worded<SamplingMethod>("monte_carlo", "latin_hypercube"),
     worded<UpAxis>("z", "y"),

@@ -15,7 +15,7 @@ namespace talus {
 
 GlideLanes::GlideLanes(const GlideLaws& laws) : laws_(laws) {
   // Empty lanes get numbers that are harmless in every operation, and that take no step.
-  for (Lanes* each : {&x_, &y_, &vy_, &speed_, &time_, &gain_, &braking_, &squared_way_}) each->fill(0);
+  for (Lanes* each : {&x_, &y_, &vy_, &speed_, &time_, &gain_, &braking_, &squared_way_, &way_to_bump_}) each->fill(0);
   vx_.fill(1);
   for (std::size_t k = 0; k < 3; ++k) {
     for (Lanes* each : {&distance_[k], &down_[k], &aside_[k]}) each->fill(0);
@@ -39,6 +39,7 @@ void GlideLanes::add(Glide& glide, std::vector<GlideStep>* trace, std::size_t na
   gain_[lane] = glide.gain;
   braking_[lane] = glide.braking;
   squared_way_[lane] = glide.squared_way;
+  way_to_bump_[lane] = glide.way_to_bump;
   for (std::size_t k = 0; k < 3; ++k) {
     distance_[k][lane] = glide.sides[k].distance;
     down_[k][lane] = glide.sides[k].down;
@@ -54,6 +55,7 @@ std::size_t GlideLanes::take(std::size_t lane) {
   glide.vy = vy_[lane];
   glide.speed = speed_[lane];
   glide.time = time_[lane];
+  glide.way_to_bump = way_to_bump_[lane];
   occupied_ &= ~(LaneSet{1} << lane);
   traced_ &= occupied_;
   return names_[lane];
@@ -84,13 +86,13 @@ TALUS_WIDE_LANES auto GlideLanes::step_all() -> LaneSet {
     const double wx = vx_[k] + gain_[k], vy = vy_[k], size = std::sqrt(wx * wx + vy * vy);
     const double kept = 1 - braking_[k] / size, speed = size - braking_[k], time = time_[k] + dt;
     const double next_vx = kept * wx, next_vy = kept * vy;
-    const double x = x_[k] + dt * next_vx, y = y_[k] + dt * next_vy;
+    const double x = x_[k] + dt * next_vx, y = y_[k] + dt * next_vy, way_to_bump = way_to_bump_[k] - dt * speed;
     const double first = distance_[0][k] + x * down_[0][k] + y * aside_[0][k];
     const double second = distance_[1][k] + x * down_[1][k] + y * aside_[1][k];
     const double third = distance_[2][k] + x * down_[2][k] + y * aside_[2][k];
     const bool stays = (speed_[k] >= stopped) & (time < most) & (speed >= stopped) &
                        (wx * vx_[k] + vy * vy >= braking_[k] * speed_[k]) & (x * x + y * y < squared_way_[k]) &
-                       (first > contact_slack) & (second > contact_slack) & (third > contact_slack);
+                       (way_to_bump > 0) & (first > contact_slack) & (second > contact_slack) & (third > contact_slack);
     const std::uint64_t mask = stays ? ~std::uint64_t{0} : 0;
     x_[k] = chosen(mask, x, x_[k]);
     y_[k] = chosen(mask, y, y_[k]);
@@ -98,6 +100,7 @@ TALUS_WIDE_LANES auto GlideLanes::step_all() -> LaneSet {
     vy_[k] = chosen(mask, next_vy, vy_[k]);
     speed_[k] = chosen(mask, speed, speed_[k]);
     time_[k] = chosen(mask, time, time_[k]);
+    way_to_bump_[k] = chosen(mask, way_to_bump, way_to_bump_[k]);
     staying |= mask & bits[k];
   }
   return staying;

@@ -32,6 +32,7 @@ struct Glide {
   double gain = 0, braking = 0;  // change of speed per step, by the pull and by friction [m/s]
   // The square of the distance from the start within which there is no barrier [m2].
   double squared_way = std::numeric_limits<double>::infinity();
+  double way_to_bump = std::numeric_limits<double>::infinity();  // left along the path [m]
   /// A side of the facet, within which the rock must stay.
   struct Side {
     double distance = 1, down = 0, aside = 0;  // of the start from it [m], and its growth with x and y
@@ -52,8 +53,10 @@ struct GlideStep {
   const double kept = 1 - glide.braking / size, speed = size - glide.braking, time = glide.time + laws.timestep;
   const double next_vx = kept * wx, next_vy = kept * vy;
   const double x = glide.x + laws.timestep * next_vx, y = glide.y + laws.timestep * next_vy;
+  const double way_to_bump = glide.way_to_bump - laws.timestep * speed;
   bool stays = glide.speed >= laws.stopped_velocity && time < laws.max_time && speed >= laws.stopped_velocity &&
-               wx * glide.vx + vy * vy >= glide.braking * glide.speed && x * x + y * y < glide.squared_way;
+               wx * glide.vx + vy * vy >= glide.braking * glide.speed && x * x + y * y < glide.squared_way &&
+               way_to_bump > 0;
   for (const Glide::Side& side : glide.sides) {
     stays = stays && side.distance + x * side.down + y * side.aside > contact_slack;
   }
@@ -64,6 +67,7 @@ struct GlideStep {
   glide.vy = next_vy;
   glide.speed = speed;
   glide.time = time;
+  glide.way_to_bump = way_to_bump;
   return true;
 }
 
@@ -104,7 +108,7 @@ class GlideLanes {
   std::array<Glide*, width> glides_{};
   std::array<std::vector<GlideStep>*, width> traces_{};
   std::array<std::size_t, width> names_{};
-  alignas(64) Lanes x_, y_, vx_, vy_, speed_, time_, gain_, braking_, squared_way_;
+  alignas(64) Lanes x_, y_, vx_, vy_, speed_, time_, gain_, braking_, squared_way_, way_to_bump_;
   std::array<Lanes, 3> distance_, down_, aside_;
 };
 

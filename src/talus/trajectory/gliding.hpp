@@ -12,6 +12,7 @@ struct GlideOnFacet {
   Glide glide;
   Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit, on the facet
   FacetId facet;
+  double way_to_bump = 0;      // at its start [m]
   std::size_t first_step = 0;  // in the log
 };
 
@@ -38,6 +39,7 @@ template <class Surface>
   glide.braking = laws.timestep * state.friction.mu * footing.normal_acceleration;
   const double way = free_way(rock.barriers, start, rock.reach);
   glide.squared_way = way * way;
+  on.way_to_bump = glide.way_to_bump = rock.way_to_bump(state.on.facet);
   const Outline& outline = rock.outline_of(state.on.facet);
   for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
     const OutlineEdge& edge = outline.edges[k];
@@ -54,6 +56,7 @@ void end_glide(MovingRock<Surface>& rock, const GlideOnFacet& on) {
   const Glide& glide = on.glide;
   rock.log.glide(motion, on.first_step, rock.laws.timestep, on.down, on.aside, on.facet);
   if (glide.x == 0 && glide.y == 0) return;
+  if (std::isfinite(on.way_to_bump)) rock.cover(on.facet, on.way_to_bump - glide.way_to_bump);
   motion.position += glide.x * on.down + glide.y * on.aside;
   motion.velocity = glide.vx * on.down + glide.vy * on.aside;
   motion.time = glide.time;

@@ -177,6 +177,16 @@ template <class Surface, class State>
   return end;
 }
 
+/// When a leg comes to the next bump of the ground, if before `t`, which is then set to that time.
+template <class Surface>
+[[nodiscard]] bool bump_ahead(MovingRock<Surface>& rock, FacetId facet, const Parabola& leg, double& t) {
+  const double way = rock.way_to_bump(facet);
+  if (!std::isfinite(way)) return false;
+  const auto at = time_at_length(leg, way, t);
+  if (at) t = *at;
+  return at.has_value();
+}
+
 /// The effect of barriers on a leg. With a guide, the leg does not begin: the rock is driven against a barrier, and the
 /// next leg must run along it.
 struct LegAtBarriers {
@@ -222,6 +232,7 @@ requires GroundState<State, Surface>
   double t = std::min(leg.duration, rock.laws.max_time - motion.time);
   const SupportPlanes on = carrying(rock, state);
   apply_side_contact(rock, state, leg, t);
+  const bool comes_to_bump = bump_ahead(rock, state.on.facet, leg.path, t);
   const LegEnd end = end_of_leg(rock, state, leg, t, on);
   const GroundBeneath beneath = ground_beneath(state, footing);
   const LegAtBarriers barriers = meet_barriers(rock, state.on.facet, leg, end.t, beneath);
@@ -235,7 +246,12 @@ requires GroundState<State, Surface>
     set_guide(state, *barriers.guide);
     return std::nullopt;
   }
-  return finish_leg(rock, state, leg, end);
+  if (auto next = finish_leg(rock, state, leg, end)) return next;
+  if (!comes_to_bump || end.t < t) return std::nullopt;
+  const Feature feature = rock.is_facet(state.on) ? Feature::facet : Feature::edge;
+  rock.remember_contact(state.on);
+  auto next = strike_bump(rock, {0, state.on.normal, state.on.facet, feature});
+  return next ? std::optional(NextState{*std::move(next)}) : std::nullopt;
 }
 
 // ---- shared by states ----

@@ -12,6 +12,7 @@
 #include "talus/impact/law.hpp"
 #include "talus/sliding/bend.hpp"
 #include "talus/terrain/surface.hpp"
+#include "talus/trajectory/bumps.hpp"
 #include "talus/trajectory/kept_outlines.hpp"
 #include "talus/trajectory/piece_maxima.hpp"
 #include "talus/trajectory/rock_path.hpp"
@@ -86,6 +87,7 @@ class MovingRock {
         reach(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0),
         leaving_speed(std::max(laws.normal_velocity_cutoff, std::sqrt(2 * laws.gravity.norm() * contact_slack))),
         has_forest(scene.ground.has_forest()),
+        has_bumps(scene.laws.roughness == RoughnessLaw::faces && scene.ground.is_rough()),
         motion(release.motion),
         progress(reach),
         draws_(draws) {}
@@ -102,7 +104,7 @@ class MovingRock {
   // A rock that leaves an impact with a smaller normal velocity stays on the ground [m/s]. Without a cutoff in the
   // settings, that is a rock that would not rise above the thickness of a facet (contact_slack).
   const double leaving_speed;
-  const bool has_forest;
+  const bool has_forest, has_bumps;
   Motion motion;
   RockOutcome outcome;
   RecentCrossings crossed;
@@ -139,6 +141,17 @@ class MovingRock {
     return GroundDraw(draws_, laws.material_sampling, material_at(facet), contacts_++);
   }
   [[nodiscard]] std::uint32_t contacts() const { return contacts_; }
+  /// The way along the ground to the next bump, if it stays as it is on this facet [m]; infinite on smooth ground.
+  [[nodiscard]] double way_to_bump(FacetId facet) {
+    if (!has_bumps) return std::numeric_limits<double>::infinity();
+    const double spacing = bump_spacing(facet);
+    return std::isfinite(spacing) ? bumps_.way(draws_, spacing) : spacing;
+  }
+  /// The rock has moved this far along the ground of a facet [m].
+  void cover(FacetId facet, double way) {
+    if (has_bumps) bumps_.cover(way, bump_spacing(facet));
+  }
+  void pass_bump() { bumps_.pass(); }
   [[nodiscard]] double tangent_of(double friction_angle) {
     if (friction_angle != angle_) {
       angle_ = friction_angle;
@@ -197,13 +210,17 @@ class MovingRock {
   }
   /// The first `t` of a leg, from `before` to `arrived`, on a facet or one of its edges or vertices.
   void log_leg(FacetId facet, const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
+    if (has_bumps) cover(facet, arc_length(leg, t));
     log.leg(leg, t, before, arrived, facet);
     if (reach == 0) return;
     outcome.max_bounce = max_height_of_leg(surface, outline_of(facet), leg, t, 0, t, outcome.max_bounce);
   }
 
  private:
+  [[nodiscard]] double bump_spacing(FacetId facet) const { return ground[material_at(facet)].roughness.bump_spacing(); }
+
   const Draws& draws_;
+  Bumps bumps_;
   std::uint32_t contacts_ = 0;      // for which the ground's properties were drawn
   double angle_ = 0, tangent_ = 0;  // the last friction angle, which often does not change
   KeptOutlines outlines_;

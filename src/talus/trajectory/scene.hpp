@@ -16,6 +16,12 @@ enum class FrictionSource {
   zero
 };
 
+/// How rough ground acts.
+enum class RoughnessLaw {
+  faces,  // in impacts and along the ground: a rock meets faces by the area that they show it (ground/rough_ground.hpp)
+  tilts   // in impacts only: the ground is tilted, however the rock comes in; RocFall
+};
+
 struct Laws {
   RockModel model = RockModel::lumped_mass;
   ImpactLaw impact = CrspLaw{};  // must fit `model`
@@ -29,6 +35,7 @@ struct Laws {
   std::int64_t max_steps = 10000;  // flights, impacts and stretches along the ground
   double max_time = 600;           // [s]
   FrictionSource friction_source = FrictionSource::material;
+  RoughnessLaw roughness = RoughnessLaw::faces;
   RestitutionScaling restitution_scaling;
   MaterialSampling material_sampling = MaterialSampling::per_impact;
   bool in_section = false;  // 2D: roughness tilts the ground only about y

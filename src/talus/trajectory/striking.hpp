@@ -8,19 +8,27 @@
 
 namespace talus {
 
-/// The normal of the ground that a rock strikes: that of the facet, tilted by the ground's roughness.
+/// The normal of the face that a rock strikes on ground of normal `n`; nullopt if it strikes the facet itself.
 template <class Surface>
-[[nodiscard]] Vec3 rough_normal(const MovingRock<Surface>& rock, const Vec3& n, const Material& material,
-                                const GroundDraw& draw, std::uint32_t contact) {
-  if (!material.is_rough()) return n;
-  const Vec3 vt = tangential(rock.motion.velocity, n);
+[[nodiscard]] std::optional<Vec3> struck_face(const MovingRock<Surface>& rock, const Vec3& n, const Material& material,
+                                              const GroundDraw& draw, std::uint32_t contact) {
+  if (material.roughness.is_smooth()) return std::nullopt;
+  const Vec3& v = rock.motion.velocity;
+  const Vec3 vt = tangential(v, n);
   const Vec3 down = tangential(rock.laws.gravity, n);
   // A rock that falls straight down on level ground has no heading: any will do.
   const Vec3 across = vt.squaredNorm() > 0 ? vt : down.squaredNorm() > 0 ? down : tangential(Vec3::UnitX(), n);
-  auto [ahead, aside] = draw.roughness(material, contact);
-  if (rock.laws.in_section) aside = 0;
-  const Vec3 tilted = tilted_normal(n, across.normalized(), ahead, aside);
-  return rock.motion.velocity.dot(tilted) < 0 ? tilted : n;  // a bump that faces away is not struck
+  std::optional<FaceTilt> face;
+  if (rock.laws.roughness == RoughnessLaw::faces) {
+    const double speed = v.norm();
+    face = draw.met_face(material, contact, std::max(0.0, -v.dot(n)) / speed, vt.norm() / speed, rock.laws.in_section);
+  } else {
+    face = draw.tilt_at_impact(material, contact);
+    if (rock.laws.in_section) face->aside = 0;
+  }
+  if (!face) return std::nullopt;
+  const Vec3 tilted = tilted_normal(n, across.normalized(), face->ahead, face->aside);
+  return v.dot(tilted) < 0 ? std::optional(tilted) : std::nullopt;  // a face that faces away is not struck
 }
 
 /// The state of a rock that stays on the ground after an impact: on a facet or an edge or, if it goes back and forth
@@ -92,18 +100,12 @@ template <class Surface>
   return Flying{{}, ground};
 }
 
-/// The rock meets ground: an impact, unless it moved along the ground before, and grazes this.
+/// The impact on a face of normal `n` of the ground that the rock touches, and its state afterwards.
 template <class Surface>
-[[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact,
-                               const std::optional<GroundSoFar>& before = {}) {
+[[nodiscard]] RockState rebound_from(MovingRock<Surface>& rock, const Contact& contact, const Vec3& n,
+                                     const Material& material, const GroundDraw& draw) {
   Motion& motion = rock.motion;
-  rock.arrive(PathState::impact);
-  if (before && rock.grazes(contact.normal)) return move_on(rock, contact, *before);
   rock.log.impact_place(motion.position);
-  const Material& material = rock.ground[rock.material_at(contact.facet)];
-  const std::uint32_t number = rock.contacts();
-  const GroundDraw draw = rock.draw_at(contact.facet);
-  const Vec3 n = rough_normal(rock, contact.normal, material, draw, number);
   rock.log_impact(contact, n);
   double rt = 0;
   const auto draw_restitution = [&] {
@@ -129,6 +131,33 @@ template <class Surface>
     return Flying{};
   }
   return stay_on_ground(rock, contact, friction_of(rock, draw, material, rt));
+}
+
+/// The rock meets ground: an impact, unless it moved along the ground before, and grazes this.
+template <class Surface>
+[[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact,
+                               const std::optional<GroundSoFar>& before = {}) {
+  rock.arrive(PathState::impact);
+  if (before && rock.grazes(contact.normal)) return move_on(rock, contact, *before);
+  const Material& material = rock.ground[rock.material_at(contact.facet)];
+  const std::uint32_t number = rock.contacts();
+  const GroundDraw draw = rock.draw_at(contact.facet);
+  const Vec3 n = struck_face(rock, contact.normal, material, draw, number).value_or(contact.normal);
+  return rebound_from(rock, contact, n, material, draw);
+}
+
+/// The rock comes to a bump of the ground that it moves along: an impact on a face that rises against it. nullopt if it
+/// strikes none.
+template <class Surface>
+[[nodiscard]] std::optional<RockState> strike_bump(MovingRock<Surface>& rock, const Contact& contact) {
+  rock.pass_bump();
+  const Material& material = rock.ground[rock.material_at(contact.facet)];
+  const std::uint32_t number = rock.contacts();
+  const GroundDraw draw = rock.draw_at(contact.facet);
+  const auto n = struck_face(rock, contact.normal, material, draw, number);
+  if (!n) return std::nullopt;
+  rock.arrive(PathState::impact);
+  return rebound_from(rock, contact, *n, material, draw);
 }
 
 }  // namespace talus

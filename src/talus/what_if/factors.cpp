@@ -75,7 +75,8 @@ class Varying {
     if (kind_.key == "rolling_friction" && is_sphere) change(&Material::rolling_friction, "rolling_friction");
     if (kind_.key == "roughness") {
       change(&Material::roughness_deg, "roughness_deg");
-      if (is_sphere && material.roughness_amplitude_m > 0) {
+      const bool has_heights = is_sphere || before_.analysis.roughness == RoughnessLaw::faces;
+      if (has_heights && material.roughness_amplitude_m > 0) {
         material.roughness_amplitude_m = number(material.roughness_amplitude_m, "material", "roughness_amplitude_m");
         changed("material", row, "roughness_amplitude_m");
       }

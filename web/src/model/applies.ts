@@ -4,15 +4,20 @@ import type { TomlTable } from '../toml/format';
 import { schema } from '../generated/schema';
 import { hasEffect, isMet, type Condition, type Needs } from '../settings/conditions';
 
-type Properties = Record<string, { default?: unknown } | undefined>;
+interface Declared {
+  default?: unknown;
+  'x-default-by-laws'?: Record<string, unknown>;
+}
+type Properties = Record<string, Declared | undefined>;
 interface Node {
   properties?: Properties;
   items?: { properties?: Properties };
 }
 
-function defaultOf(table: string, key: string): unknown {
+function defaultOf(table: string, key: string, laws: unknown): unknown {
   const node = (schema.properties as Record<string, Node>)[table];
-  return (node?.properties ?? node?.items?.properties)?.[key]?.default;
+  const declared = (node?.properties ?? node?.items?.properties)?.[key];
+  return declared?.['x-default-by-laws']?.[String(laws)] ?? declared?.default;
 }
 
 export const holds = (condition: Condition, table: string, row: TomlTable, project: TomlTable): boolean =>

@@ -7,6 +7,7 @@ import { defaultOf, type Edit, type Path, type Row, type TableName } from './nam
 import type { TomlValue } from '../toml/format';
 import { consequences } from './consequences';
 import { renaming, type FormerName } from './renames';
+import type { Field } from './schema';
 import { sections } from './sections';
 import { isTable } from './tables';
 
@@ -30,6 +31,12 @@ export const dimension = computed<2 | 3>(() => model.value?.dimension ?? (is2d.v
 
 /// The project's rock model: "lumped_mass" or "rigid_sphere".
 export const rockModel = computed(() => String(tableAt(['analysis']).model ?? defaultOf('analysis', 'model')));
+
+/// A setting with the default that it has under the project's laws.
+export function underLaws(field: Field): Field {
+  const standard = field.defaultByLaws[String(tableAt(['analysis']).laws)];
+  return standard === undefined ? field : { ...field, default: standard };
+}
 
 /// The name of an entry of a list in results and messages: "Type One", "seeder 2".
 export function nameOf(key: TableName, index: number): string {

@@ -44,6 +44,8 @@ export interface Field {
   required: boolean;
   /// As in the file; undefined if there is none.
   default?: unknown;
+  /// Defaults that other laws (`analysis.laws`) have.
+  defaultByLaws: Readonly<Record<string, unknown>>;
   /// What applies if the key is absent and there is no default.
   withoutIt: string;
   /// Whether `inf` is allowed.
@@ -92,6 +94,7 @@ interface Node {
   description?: string;
   default?: unknown;
   'x-unit'?: string;
+  'x-default-by-laws'?: Record<string, unknown>;
   'x-without-it'?: string;
   'x-source'?: string;
   'x-file'?: boolean;
@@ -196,6 +199,7 @@ function fieldsOf(table: Node): Field[] {
     source: node['x-source'] ?? '',
     required: table.required?.includes(key) ?? false,
     default: node.default,
+    defaultByLaws: node['x-default-by-laws'] ?? {},
     withoutIt: node['x-without-it'] ?? '',
     infinite: node['x-infinite'] ?? false,
     excludes: node['x-excludes'] ?? [],

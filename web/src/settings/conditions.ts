@@ -15,7 +15,8 @@ export interface Condition {
 export type Needs = readonly (readonly Condition[])[];
 
 type Values = Readonly<Record<string, unknown>>;
-export type DefaultOf = (table: string, key: string) => unknown;
+/// The default of a setting under the laws of a project (`analysis.laws`).
+export type DefaultOf = (table: string, key: string, laws: unknown) => unknown;
 
 const valuesOf = (table: unknown): Values =>
   typeof table === 'object' && table !== null && !Array.isArray(table) ? (table as Values) : {};
@@ -35,7 +36,7 @@ export function isMet(
   const own = second ?? first!;
   const value = (name === table ? row : valuesOf(project[name]))[own] ?? undefined;
   if (given !== undefined) return (value !== undefined) === given;
-  const text = textOf(value ?? defaultOf(name, own));
+  const text = textOf(value ?? defaultOf(name, own, valuesOf(project.analysis).laws));
   return is ? is.includes(text) : !not?.includes(text);
 }
 

@@ -5,6 +5,13 @@
 #include "talus/project/settings/topics.hpp"
 
 namespace talus::project::declared {
+namespace {
+
+std::function<Slot(Row)> laws_slot() {
+  return [](Row row) -> Slot { return LawsSlot{std::get<Analysis*>(row)}; };
+}
+
+}  // namespace
 
 Table analysis_table() {
   auto [add, rows] = one_row(&Project::analysis);
@@ -13,6 +20,14 @@ Table analysis_table() {
       .meaning = "How rocks move.",
       .settings =
           {
+              {.key = "laws",
+               .slot = laws_slot(),
+               .group = "Motion",
+               .topic = topics::law_sets,
+               .meaning = "Whose laws rocks obey: those of Talus, or those of RocFall2 and RocFall3 as their published "
+                          "tables need them. It chooses the defaults of the other keys of this table, each of which "
+                          "may still be given.",
+               .source = "Talus; the manual"},
               {.key = "model",
                .slot = member(&Analysis::model),
                .title = "Rock model",
@@ -73,7 +88,7 @@ Table analysis_table() {
                .meaning =
                    "A rock that slides or rolls, and meets ground at a smaller angle than this at a bend or after a "
                    "hop over one, moves on along it without an impact, slowed by friction. With the default, "
-                   "results hardly depend on the size of cells; 0 gives an impact at every bend, as in RocFall.",
+                   "results hardly depend on the size of cells; with 0 every bend is an impact, as in RocFall.",
                .source = "Talus; 0 in RocFall2 and RocFall3"},
               {.key = "stopped_velocity_m_s",
                .slot = member(&Analysis::stopped_velocity_m_s),
@@ -116,12 +131,21 @@ Table analysis_table() {
                .meaning = "the friction angle of sliding is the material's, follows from its tangential restitution as "
                           "phi = arctan((1 - Rt) / Rt), or is zero.",
                .source = "RocFall"},
+              {.key = "roughness_law",
+               .slot = member(&Analysis::roughness),
+               .group = "Motion",
+               .topic = topics::rough_ground,
+               .meaning =
+                   "A rock meets the faces of rough ground by the area that they show it, in impacts and at bumps "
+                   "along the ground (`faces`); or the ground is tilted by a random angle in impacts only "
+                   "(`tilts`).",
+               .source = "Talus; `tilts`: RocFall2 and RocFall3"},
               {.key = "scale_rn_by_velocity",
                .slot = member(&Analysis::scale_rn_by_velocity),
                .title = "Scale Rn by velocity",
                .group = "Restitution",
                .meaning = "Faster impacts rebound less: Rn / (1 + (vn / K)^2), where K is `rn_velocity_scale_m_s`.",
-               .source = "Pfeiffer and Bowen 1989 (CRSP)"},
+               .source = "Pfeiffer and Bowen 1989 (CRSP); false in the tables of RocFall2 and RocFall3"},
               {.key = "rn_velocity_scale_m_s",
                .slot = member(&Analysis::rn_velocity_scale_m_s),
                .unit = "m/s",
@@ -148,16 +172,14 @@ Table analysis_table() {
                .source = "RocFall"},
               {.key = "tangential_crsp_damping",
                .slot = member(&Analysis::tangential_crsp_damping),
-               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::warned)},
-               .always_accepted = {"false"},
+               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::kept)},
                .title = "Tangential CRSP damping",
                .group = "Restitution",
                .meaning = "the tangential velocity after an impact is damped as in CRSP.",
-               .source = "RocFall3"},
+               .source = "RocFall3, where it is an option; false in its tables"},
               {.key = "rolling_resistance_in_impacts",
                .slot = member(&Analysis::rolling_resistance_in_impacts),
-               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::warned)},
-               .always_accepted = {"true"},
+               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::kept)},
                .title = "Rolling resistance in impacts",
                .group = "Restitution",
                .meaning = "rolling friction also acts on the impulse of an impact, so that a sphere that bounces along "

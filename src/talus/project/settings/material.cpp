@@ -67,26 +67,30 @@ Table material_table() {
                .range =
                    {.least = 0, .most = 90, .most_excluded = true, .limits_draws = false},  // tilts have both signs
                .group = "Impact",
-               .topic = topics::points,
-               .meaning = "Standard deviation of the random tilt of the ground at an impact; 0 is smooth.",
+               .topic = topics::rough_ground,
+               .meaning = "Tilt of the small faces of the ground against the slope: a plain number is the standard "
+                          "deviation of a normal distribution about 0; 0 is smooth.",
                .source = "RocFall: slope roughness"},
               {.key = "roughness_spacing_m",
                .slot = member(&Material::roughness_spacing_m),
                .unit = "m",
                .range = up_to(most_diameter_m),
-               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::kept)},
                .group = "Impact",
-               .topic = topics::points,
-               .meaning = "distance between the bumps of rough ground.",
-               .source = "RocFall: slope roughness"},
+               .topic = topics::rough_ground,
+               .meaning =
+                   "Mean distance between the bumps that a rock meets as it slides or rolls over rough ground, and "
+                   "distance of the points to which `roughness_amplitude_m` refers; 0: no bumps.",
+               .source = "Talus, on which results hardly depend; with an amplitude, RocFall: slope roughness"},
               {.key = "roughness_amplitude_m",
                .slot = member(&Material::roughness_amplitude_m),
                .unit = "m",
                .range = up_to(most_diameter_m),
-               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::kept)},
                .group = "Impact",
-               .topic = topics::points,
-               .meaning = "height of the bumps of rough ground.",
+               .topic = topics::rough_ground,
+               .meaning =
+                   "Standard deviation of the heights of rough ground at points `roughness_spacing_m` apart, from "
+                   "which the tilts of its faces follow; in place of `roughness_deg`. With the laws of RocFall, "
+                   "of rigid spheres only, and in addition to `roughness_deg`.",
                .source = "RocFall: slope roughness"},
               {.key = "dynamic_friction",
                .slot = member(&Material::dynamic_friction),

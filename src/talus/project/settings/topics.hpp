@@ -8,6 +8,8 @@ namespace talus::project::declared::topics {
 constexpr Topic laws{"laws.md", "The laws"};
 constexpr Topic equations{"laws.md", "The equations of the lumped mass"};
 constexpr Topic points{"laws.md", "Points worth knowing"};
+constexpr Topic law_sets{"laws.md", "Two sets of laws"};
+constexpr Topic rough_ground{"laws.md", "Rough ground"};
 constexpr Topic forest{"laws.md", "Forest"};
 constexpr Topic soft_ground{"laws.md", "Soft ground"};
 constexpr Topic terrain{"terrain.md", "Terrain"};

@@ -2,7 +2,7 @@
 
 import { valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
-import { pathText, put } from '../place';
+import { pathText, put, underLaws } from '../place';
 import { absentText, valueText, wordText } from '../words';
 import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
@@ -20,7 +20,8 @@ import { SegmentList } from './SegmentList';
 import { TypedInput } from './TypedInput';
 import { WordsControl } from './WordsControl';
 
-export function Control({ field, path }: FieldProps) {
+export function Control({ field: declared, path }: FieldProps) {
+  const field = underLaws(declared);
   const value = valueAt(path);
   const id = idOf(path);
   const invalid = value !== undefined && problemsAt(pathText(path)).some(({ severity }) => severity === 'error');
