@@ -15,9 +15,13 @@ namespace {
 
 /// The symbol of a key, as docs/laws.md has it.
 std::string heading(const std::string& key) {
-  static const std::map<std::string, std::string> symbols{
-      {"normal_restitution", "Rn"},        {"tangential_restitution", "Rt"}, {"friction_angle_deg", "phi, deg"},
-      {"roughness_deg", "roughness, deg"}, {"dynamic_friction", "mu"},       {"rolling_friction", "mu_r"}};
+  static const std::map<std::string, std::string> symbols{{"normal_restitution", "Rn"},
+                                                          {"tangential_restitution", "Rt"},
+                                                          {"friction_angle_deg", "phi, deg"},
+                                                          {"roughness_deg", "roughness, deg"},
+                                                          {"roughness_spacing_m", "its spacing, m"},
+                                                          {"dynamic_friction", "mu"},
+                                                          {"rolling_friction", "mu_r"}};
   const auto found = symbols.find(key);
   return found == symbols.end() ? key : found->second;
 }

@@ -53,7 +53,7 @@ TEST(MaterialLibrary, AValueHasASourceOfItsOwn) {
   const auto source_of = [&](std::string_view key) { return library.sources.at(talus->find(key)->source).text; };
   EXPECT_THAT(source_of("normal_restitution"), HasSubstr("Hoek"));
   EXPECT_THAT(source_of("rolling_friction"), HasSubstr("Kirkby and I. Statham"));
-  EXPECT_THAT(source_of("roughness_deg"), HasSubstr("Rockyfor3D"));
+  EXPECT_THAT(source_of("roughness_deg"), HasSubstr("rough ground"));
   EXPECT_EQ(talus->find("friction_angle_deg"), nullptr);
   EXPECT_EQ(in_words(*talus, "friction_angle_deg"), "");
   EXPECT_EQ(library.find("talus_covr"), nullptr);
@@ -116,8 +116,8 @@ like = "bedrock_and_boulders"
   EXPECT_EQ(scree.tangential_restitution.rel_max, 0.02);
   EXPECT_EQ(scree.rolling_friction.mean, 0.3);
   EXPECT_EQ(scree.dynamic_friction.mean, Material{}.dynamic_friction.mean);
-  EXPECT_EQ(scree.roughness_deg.mean, 2);
-  EXPECT_EQ(scree.roughness_deg.kind, DistributionKind::uniform);
+  EXPECT_EQ(scree.roughness_deg.mean, 10);
+  EXPECT_EQ(scree.roughness_spacing_m, 5);
   // The echo in the results has all values.
   const auto echoed = echo(project).at("material").at(0);
   EXPECT_EQ(echoed.at("like"), "bedrock_and_boulders");

@@ -119,8 +119,11 @@ std::string in_words(const LibraryMaterial& entry, std::string_view key) {
   Material copy = entry.material;  // slots are not const
   const auto slot = setting("material", key).slot(&copy);
   const auto* distribution = std::get_if<Distribution*>(&slot);
-  if (!distribution) throw std::logic_error(entry.key + " gives a value that is no distribution");
-  return fmt::format("{} [{}]", in_words(**distribution), value->source + 1);
+  const auto* number = std::get_if<double*>(&slot);
+  if (!distribution && !number)
+    throw std::logic_error(entry.key + " gives a value that is neither number nor distribution");
+  return fmt::format("{} [{}]", distribution ? in_words(**distribution) : fmt::format("{}", **number),
+                     value->source + 1);
 }
 
 std::string materials_page() {

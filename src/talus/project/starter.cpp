@@ -9,6 +9,7 @@ std::string starter() {
 name = "Tutorial 1"
 
 [analysis]
+laws = "talus"          # or "rocfall": those of RocFall2 and RocFall3
 model = "lumped_mass"   # or "rigid_sphere"
 sliding = "stepped"     # or "closed_form"
 
@@ -26,18 +27,21 @@ name = "Type One"
 normal_restitution     = { mean = 0.5, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
 tangential_restitution = { mean = 0.9, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
 friction_angle_deg     = 30
+roughness_deg          = 10    # tilts of small faces of the ground; 0 is smooth, where rocks slide
 
 [[material]]
 name = "Type Two"
 normal_restitution     = { mean = 0.4, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
 tangential_restitution = { mean = 0.9, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
 friction_angle_deg     = 30
+roughness_deg          = 10
 
 [[material]]
 name = "Type Three"
 normal_restitution     = { mean = 0.3, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
 tangential_restitution = { mean = 0.9, distribution = "normal", std_dev = 0.03, rel_min = 0.09, rel_max = 0.09 }
 friction_angle_deg     = 30
+roughness_deg          = 10
 
 [ground]
 # The material of each segment of the section, from left to right.
