@@ -105,6 +105,16 @@ void read_checkpoint(Run& run) {
   run.seconds = header.seconds;
 }
 
+/// About a run that was in progress when its server ended without stopping it.
+Json ended_with_its_server() {
+  Problems problems;
+  problems.add({.severity = Severity::warning,
+                .what = "the server ended while this run was in progress",
+                .why = "it was killed, or this run made it fail",
+                .hint = "Resume the run. If the server ends again, please report it with the run's folder"});
+  return as_json(problems)[0];
+}
+
 std::string iso(std::chrono::system_clock::time_point time) {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::to_time_t(time)));
 }
@@ -185,6 +195,7 @@ Run read_run(const fs::path& folder, const fs::path& base) {
   run.is_elsewhere = !FolderLock::take(folder);
   if (run.is_elsewhere) return run;
   run.was_killed = true;
+  if (run.state == RunState::running) run.problems.push_back(ended_with_its_server());
   run.state = RunState::interrupted;
   try {
     read_checkpoint(run);

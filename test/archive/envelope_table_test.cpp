@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,14 @@ mass_kg = 2000
 raster_cell_m = 2
 percentiles = [50, 99]
 )";
+
+TEST(EnvelopeTable, IsRefusedForMapsOfSeveralRows) {
+  Maps maps(MapGrid({0, 0}, 2, {}));
+  const std::vector<MapVisit> visits{{.cell = {0, 0}}, {.cell = {40, 33}}};
+  const std::span<const MapVisit> rock = visits;
+  maps.add(1, {&rock, 1});
+  EXPECT_THROW((void)envelope_table(maps, {}, true), std::logic_error);
+}
 
 TEST(EnvelopeTable, OfAFlightAgreesWithItsParabola) {
   const std::vector<Row> rows = envelopes_of(launch_off_a_cliff);

@@ -28,6 +28,36 @@ Barrier standing(const std::vector<Vec3>& foot, double height, double inclinatio
   return barrier;
 }
 
+// ---- in a section ----
+
+// A panel of two metres would touch it with its sides, which a section does not have.
+TEST(SphereInASection, ThatBeginsWithinABarrierMeetsItsFaceInThePlane) {
+  std::vector<Barrier> barriers(1);
+  barriers[0].set_panels({panel_in_section({0, 0, 0}, 1000, 0)});
+  for (const double radius : {2.5, 3.0, 30.0}) {
+    const Parabola path{{-2, 0, 2}, {2, 0, 0}, Vec3::Zero()};
+    const auto crossing = first_crossing(barriers, path, radius, 0, 10, {});
+    ASSERT_TRUE(crossing);
+    EXPECT_DOUBLE_EQ(crossing->t, 1);
+    EXPECT_EQ(crossing->normal, Vec3(-1, 0, 0));
+  }
+}
+
+TEST(SphereInASection, IsTouchedInThePlaneByATop) {
+  Dice dice(31);
+  int touched = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::vector<Barrier> barriers(1);
+    barriers[0].set_panels({panel_in_section({dice.between(-3, 3), 0, 0}, dice.between(1, 5), dice.between(-1, 1))});
+    const Parabola path{{-20, 0, dice.between(0, 9)}, {dice.between(1, 20), 0, dice.between(-5, 5)}, {0, 0, -9.81}};
+    const auto crossing = first_crossing(barriers, path, dice.magnitude(0.1, 10), 0, 10, {});
+    if (!crossing) continue;
+    EXPECT_EQ(crossing->normal.y(), 0);
+    touched += crossing->normal != crossing->across ? 1 : 0;
+  }
+  EXPECT_GT(touched, 100);
+}
+
 // ---- rolling on a slope ----
 
 /// A slope that falls towards +x, with a barrier at the origin.

@@ -88,6 +88,7 @@ TEST_F(EndOfServer, ByAKillLeavesRunsThatResumeToTheSameBytes) {
   start();
   const Json killed = run(id);
   EXPECT_EQ(killed["state"], "interrupted");
+  EXPECT_EQ(killed["problems"].back()["what"], "the server ended while this run was in progress");
   EXPECT_GE(killed["done"], at_stop);
   // Its results are only written on request.
   std::this_thread::sleep_for(std::chrono::milliseconds(300));

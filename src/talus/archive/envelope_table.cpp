@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 #include <vector>
 
@@ -29,6 +30,7 @@ EnvelopeTable envelopes_of(const MapsOfRun& maps, const MapSelection& selection,
   for (const MapKind& kind : kinds) table.names.push_back(kind.name);
   const auto extent = maps.all.extent();
   if (!extent) return table;
+  if (extent->first.row != extent->last.row) throw std::logic_error("a rock has left the plane of its section");
   FamilyValues untouched;
   for (const MapKind& kind : kinds) untouched.push_back(kind.is_count ? std::optional(0.0) : std::nullopt);
   const auto place_of = [&](std::int32_t column) { return static_cast<std::size_t>(column - extent->first.column); };
@@ -40,7 +42,7 @@ EnvelopeTable envelopes_of(const MapsOfRun& maps, const MapSelection& selection,
     for (std::int32_t k = 0; k < Maps::tile_side; ++k) {
       const auto cell = reader.find(k, extent->first.row - tile->first().row);
       if (!cell) continue;
-      FamilyValues& here = cells[place_of(tile->first().column + k)];
+      FamilyValues& here = cells.at(place_of(tile->first().column + k));
       here.clear();
       for (const MapGroup& group : groups) {
         values.assign(group.kinds.size(), 0);

@@ -32,8 +32,8 @@ struct EnvelopeTable {
 };
 
 /// A row for each cell from the first to the last that rocks touched. A cell that no rock touched has counts of 0, and
-/// its other values are empty. Without `has_heights` there are no bounce heights. Expects maps of a section, in one
-/// row.
+/// its other values are empty. Without `has_heights` there are no bounce heights. Throws std::logic_error
+/// unless the maps are in one row, as those of a section are.
 [[nodiscard]] EnvelopeTable envelopes_of(const MapsOfRun& maps, const MapSelection& selection, bool has_heights);
 /// The same as text.
 [[nodiscard]] std::string envelope_table(const MapsOfRun& maps, const MapSelection& selection, bool has_heights);

@@ -1,6 +1,7 @@
 #include "talus/barriers/barrier.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -74,6 +75,13 @@ std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double
     panels.push_back(panel);
   }
   return panels;
+}
+
+Panel panel_in_section(const Vec3& foot, double height, double inclination) {
+  const Vec3 aside = Vec3::UnitY();  // the panel of panels_over() to both sides of the plane
+  Panel panel = panels_over(std::array<Vec3, 2>{foot - aside, foot + aside}, height, inclination).front();
+  panel.has_sides = false;
+  return panel;
 }
 
 void Barrier::set_panels(std::vector<Panel> panels) {

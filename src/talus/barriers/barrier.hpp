@@ -32,6 +32,8 @@ struct Panel {
   // metre up the face.
   double start_lean = 0, end_lean = 0;
   bool has_previous = false;  // another panel ends where it begins, and they share a side
+  // A panel in a section has no sides: it is as wide as the section is deep, and its foot's length means nothing.
+  bool has_sides = true;
 
   /// The positions of its sides along the foot, at a height up the face [m]; constant above the top and below the foot.
   [[nodiscard]] double start_at(double level) const { return start_lean * std::clamp(level, 0.0, height); }
@@ -62,6 +64,9 @@ class Barrier {
 /// The panels on a foot line. `inclination` of the face from the vertical [rad], positive to the right of the line's
 /// direction on plan: a right-handed turn about the line.
 [[nodiscard]] std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination);
+
+/// The panel of a barrier in a section, which faces along x and has no sides. `foot`: in the section's plane.
+[[nodiscard]] Panel panel_in_section(const Vec3& foot, double height, double inclination);
 
 /// The bounds of many barriers on plan, for BarrierList.
 [[nodiscard]] PlanIndex index_of(std::span<const Barrier> barriers);

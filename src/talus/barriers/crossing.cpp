@@ -48,8 +48,8 @@ Place place_on(const Panel& panel, const Vec3& q) {
 }
 
 bool is_between_sides(const Panel& panel, const Place& place) {
-  return place.along >= panel.start_at(place.up) - tolerance::panel_border &&
-         place.along <= panel.end_at(place.up) + tolerance::panel_border;
+  return !panel.has_sides || (place.along >= panel.start_at(place.up) - tolerance::panel_border &&
+                              place.along <= panel.end_at(place.up) + tolerance::panel_border);
 }
 
 Vec3 point_of(const Panel& panel, const Place& place) {
@@ -152,6 +152,7 @@ class Search {
     if (distance.low > 0 || distance.high < 0) return;
     const double top_start = panel.start_at(panel.height), top_end = panel.end_at(panel.height);
     touch_edge_of(barrier, panel, {top_start, panel.height}, {top_end, panel.height});
+    if (!panel.has_sides) return;
     touch_edge_of(barrier, panel, {panel.length, 0}, {top_end, panel.height});
     touch_corner(barrier, panel, {top_end, panel.height});
     if (panel.has_previous) return;
@@ -205,11 +206,8 @@ class Search {
       const Vec2 plan = panel.along.head<2>();
       const double along = from_start.head<2>().dot(plan) / plan.squaredNorm();
       const double over = from_start.z() - along * panel.along.z();
-      const double length = panel.end_at(panel.height) - top_start;
-      if (over < -tolerance::panel_border || along < -tolerance::panel_border ||
-          along > length + tolerance::panel_border)
-        return;
       const Place place{top_start + along, panel.height + std::max(over, 0.0) * panel.up.z()};
+      if (over < -tolerance::panel_border || !is_between_sides(panel, place)) return;
       Crossing crossing = hit(barrier, panel, t, place, side);
       const Vec3 distance = tangential(over * Vec3::UnitZ(), panel.along);
       const Vec3 way = tangential(path_.velocity(t), panel.along);

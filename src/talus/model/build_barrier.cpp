@@ -11,8 +11,9 @@ bool has_ground_at(const Model& model, const Vec2& at) {
 BarrierFoot foot_of(const Model& model, std::span<const std::array<double, 2>> line) {
   BarrierFoot foot;
   if (const auto* profile = std::get_if<Profile>(&*model.surface)) {
+    foot.in_section = true;
     const double x = line.front()[0] - model.frame.origin.x();
-    if (const auto z = profile->elevation(x)) foot.points = {Vec3(x, -1, *z), Vec3(x, 1, *z)};
+    if (const auto z = profile->elevation(x)) foot.points = {Vec3(x, 0, *z)};
     return foot;
   }
   const Vec2 origin(model.frame.origin.x(), model.frame.origin.y());
@@ -41,6 +42,10 @@ BarrierFoot foot_of(const Model& model, std::span<const std::array<double, 2>> l
 }
 
 std::vector<Panel> panels_along(const BarrierFoot& foot, double height, double inclination) {
+  if (foot.in_section) {
+    if (foot.points.empty()) return {};
+    return {panel_in_section(foot.points.front(), height, inclination)};
+  }
   std::vector<Panel> panels = panels_over(foot.points, height, inclination);
   for (std::size_t k = 0; k < panels.size() && k + 1 < foot.stations.size(); ++k) {
     panels[k].station = foot.stations[k];

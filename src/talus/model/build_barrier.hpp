@@ -10,8 +10,9 @@
 
 namespace talus::project {
 
-/// A line on plan, projected onto the ground; local coordinates. In 2D it runs along y, across the section.
+/// A line on plan, projected onto the ground; local coordinates. In 2D it is a point of the section.
 struct BarrierFoot {
+  bool in_section = false;
   std::vector<Vec3> points;         // empty: the line does not touch the terrain
   std::vector<double> stations;     // of each point along the given line, on plan [m]; empty in 2D
   double given = 0, on_ground = 0;  // lengths of the line and of its part over ground, on plan [m]; 0 in 2D

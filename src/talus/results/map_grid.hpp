@@ -48,7 +48,8 @@ class MapGrid {
   /// The column or row that contains a local coordinate.
   [[nodiscard]] std::int32_t index(std::size_t axis, double local) const {
     const double k = std::floor((local - local_[axis]) / cell_[axis]);
-    return static_cast<std::int32_t>(std::clamp(k, -most_cells_across, most_cells_across));
+    // In this order a NaN becomes the lower limit.
+    return static_cast<std::int32_t>(k > -most_cells_across ? std::min(k, most_cells_across) : -most_cells_across);
   }
   /// The borders of a cell in local coordinates.
   struct Borders {

@@ -49,8 +49,10 @@ class MapTile {
 
   /// The cell with the lowest column and row.
   [[nodiscard]] MapCell first() const { return first_; }
-  /// The cell at an offset in columns and rows from the first; nullopt if no rock was there.
+  /// The cell at an offset in columns and rows from the first; nullopt if no rock was there, or it is not in the tile.
   [[nodiscard]] std::optional<MapTally> find(std::int32_t column, std::int32_t row) const {
+    const auto is_inside = [](std::int32_t k) { return k >= 0 && k < map_tiles::side; };
+    if (!is_inside(column) || !is_inside(row)) return std::nullopt;
     const std::uint16_t place = places_[static_cast<std::size_t>(row * map_tiles::side + column)];
     if (place == 0) return std::nullopt;
     return MapTally(*this, place - 1U);
