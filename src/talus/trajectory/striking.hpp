@@ -31,6 +31,27 @@ template <class Surface>
   return v.dot(tilted) < 0 ? std::optional(tilted) : std::nullopt;  // a face that faces away is not struck
 }
 
+/// Whether the bottom of the valley between a facet and another that the rock struck just before is on the ground. In a
+/// pit a third facet may be above it.
+template <class Surface>
+[[nodiscard]] bool has_open_bottom(MovingRock<Surface>& rock, const Support& on, const LastContact& before) {
+  if (!rock.is_facet(on) || !rock.is_facet(before.with)) return true;
+  const Vec3 &n = on.normal, &m = before.with.normal;
+  const Vec3 across = tangential(m, n);
+  const Vec3 bottom =
+      rock.motion.position - m.dot(rock.motion.position - before.position) / across.squaredNorm() * across;
+  bool is_open = true;
+  rock.surface.supports(bottom, rock.reach, tolerance::one_contact,
+                        [&](const Vec3&, const Vec3&, double, FacetId facet) {
+                          const Vec3& third = rock.surface.normal(facet);
+                          const double gap = third.dot(bottom - rock.surface.point_of(facet)) - rock.reach;
+                          const bool is_side = third.dot(n) > 1 - tolerance::facet_normal ||
+                                               third.dot(m) > 1 - tolerance::facet_normal;
+                          is_open = is_open && (is_side || gap >= -contact_slack);
+                        });
+  return is_open;
+}
+
 /// The state of a rock that stays on the ground after an impact: on a facet or an edge or, if it goes back and forth
 /// between two supports, in the valley between them.
 template <class Surface>
@@ -47,7 +68,7 @@ template <class Surface>
   if (struck_here && before.with.normal.dot(n) < 1 - tolerance::facet_normal) {
     const auto caught =
         caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);
-    if (caught) {
+    if (caught && has_open_bottom(rock, on, before)) {
       valley = InValley{on, is_on_facet, friction, before.with, *caught};
     } else if (rock.progress.is_stuck(rock.motion)) {
       // Friction or a third contact drives it from one to the other, not gravity. It moves along both.
