@@ -16,7 +16,7 @@ namespace talus {
 struct RockOutcome {
   Motion start, end;
   EndReason reason = EndReason::at_rest;
-  std::int64_t events = 0;        // impacts, arrivals at barriers
+  std::int64_t events = 0;        // impacts, arrivals at barriers, take-offs where the ground falls away or ends
   double max_kinetic_energy = 0;  // translational and rotational [J]
   double max_bounce = 0;          // maximum height of the centre above the ground below it [m]
   /// Of the ground straight below its centre at the end. Empty: it left the model, or there is none.

@@ -12,7 +12,7 @@ export const endpointColumns = {
   runout_total_m: {"kind":"quantity","unit":"m","meaning":"straight distance from release to end in space"},
   lateral_m: {"kind":"quantity","unit":"m","meaning":"with `runout_along`: distance from the line on plan, positive to its left; otherwise empty"},
   time_s: {"kind":"quantity","unit":"s","meaning":"time from release to end"},
-  events: {"kind":"quantity","unit":"","meaning":"number of impacts and hits on barriers"},
+  events: {"kind":"quantity","unit":"","meaning":"number of impacts, hits on barriers and take-offs where the ground falls away or ends"},
   end_reason: {"kind":"word","unit":"","meaning":"why the trajectory ended"},
   ground: {"kind":"word","unit":"","meaning":"material of the ground straight below its centre where it ended; empty if it left the model"},
   mass_kg: {"kind":"quantity","unit":"kg","meaning":"mass"},

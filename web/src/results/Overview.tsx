@@ -59,7 +59,7 @@ export function Overview({ run }: { run: Run }) {
             {numberText(Number(summary.rocks.done))}
             {summary.rocks.done !== summary.rocks.planned && ` of ${numberText(Number(summary.rocks.planned))}: the run was stopped`}
           </dd>
-          <dt>Impacts and other events</dt>
+          <dt>Impacts, hits and take-offs</dt>
           <dd>{numberText(Number(summary.events))}</dd>
           <dt>Seed</dt>
           <dd>{summary.seed}</dd>
