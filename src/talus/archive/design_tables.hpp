@@ -165,7 +165,7 @@ struct PairRow {
         word("sure", "`yes`: the whole confidence interval of that share is on the same side of `catch_share`",
              &R::is_sure),
         quantity("cost", "", "cost of both", &R::cost), quantity("rocks", "", "rocks that count", &R::rocks),
-        quantity("caught", "", "rocks that either catches", &R::caught),
+        quantity("caught", "", "rocks that either catches; of spheres at least, which also touch its top", &R::caught),
         quantity("caught_share", "", "their share", &R::caught_share),
         quantity("caught_share_low", "", "lower end of its confidence interval", &R::caught_share_low),
         quantity("caught_share_high", "", "upper end of its confidence interval", &R::caught_share_high),

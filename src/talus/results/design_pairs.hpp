@@ -3,7 +3,8 @@
 //
 // A rock is caught by a pair if either kit catches it. A kit stops a rock or does not touch it, so the rocks that the
 // second meets are those that the first does not catch, on the paths that they have without it: the share is that of a
-// run in which the first stops what it catches (test/cli/run_pairs_test.cpp), rock by rock.
+// run in which the first stops what it catches (test/cli/run_pairs_test.cpp), rock by rock. Spheres count by their
+// centres; a barrier that is built also stops those that touch its top, so that for spheres the share is a lower bound.
 
 #include <optional>
 #include <vector>
