@@ -280,7 +280,7 @@ TEST(DistributionTails, OfEveryUsableDistributionAreFiniteAndMonotone) {
     for (const double mean : {1e-9, 0.05, 0.5, 0.999, 1.0, 40.0, 3e7}) {
       for (const double ratio : {1e-6, 1e-4, 1e-3, 0.03, 0.3, 0.99, 1.0, 3.0, 10.0, 1e3}) {
         for (const double left : {0.0, 1e-9, 1e-3, 0.5, 1.0, 30.0}) {
-          for (const double right : {0.0, 1e-9, 1e-3, 0.5, 1.0, 30.0}) {
+          for (const double right : {0.0, 1e-9, 1e-3, 0.5, 1.0, 30.0, 1e13}) {
             for (const Bounds bounds : {Bounds{}, Bounds{0, 1}, Bounds{0, 1e300}}) {
               const Distribution given{mean, kind, mean * ratio, mean * left, mean * right};
               if (why_unusable(given, bounds)) continue;
@@ -395,6 +395,10 @@ TEST(DistributionWhyUnusable, NamesTheFaultWithTheKeysOfTheProjectFile) {
       {{0.5, beta, 1e-6, 0.2, 0.2},
        restitution,
        "std_dev is 1e-06 (a beta distribution with these limits expects at least 2e-05). For less, use \"normal\""},
+      {{0.4, beta, 0.04, 0.1, 9e15},
+       restitution,
+       "rel_max is 9e+15 (a beta distribution expects at most 1e+12 times its std_dev, 4e+10). Without a limit on one "
+       "side, use \"gamma\" or \"lognormal\""},
       {{0.5, normal, 0.1, 0.0, 0.0},
        restitution,
        "rel_min and rel_max allow only the value 0.5 (a random property needs a range). For a constant, use "

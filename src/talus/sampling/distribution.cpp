@@ -356,6 +356,8 @@ Fault missing_parameter(const Distribution& given) {
 constexpr double least_deviation = 1e-4;
 constexpr double most_deviation_of_mean = 10;
 constexpr double most_variance_of_beta = 0.99;
+// Boost's quantile of a beta distribution throws if a limit is further away than 1e14 standard deviations.
+constexpr double most_width_of_beta = 1e12;
 constexpr double least_probability = 1e-6;
 
 Fault fault_in_shape(const Distribution& given) {
@@ -390,6 +392,12 @@ Fault fault_in_shape(const Distribution& given) {
           "std_dev is {} (a beta distribution with these limits expects at least {:.4g}). For less, use "
           "\"normal\"",
           s, least);
+    }
+    if (std::max(left, right) > most_width_of_beta * s) {
+      return fmt::format(
+          "{} is {:.4g} (a beta distribution expects at most {:g} times its std_dev, {:.4g}). Without a limit on one side, "
+          "use \"gamma\" or \"lognormal\"",
+          left > right ? "rel_min" : "rel_max", std::max(left, right), most_width_of_beta, most_width_of_beta * s);
     }
   }
   return {};
