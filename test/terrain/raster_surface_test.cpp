@@ -129,6 +129,24 @@ TEST(RasterSurface, HasTheContactsOfASphereOnTheMesh) {
   for (const int each : met) EXPECT_GT(each, 50);
 }
 
+// Among cells much smaller than the sphere its path is searched in parts of many cells.
+TEST(RasterSurface, HasTheContactsOfALargeSphereOnTheMesh) {
+  Dice dice(206);
+  int met = 0;
+  for (int k = 0; k < 60; ++k) {
+    const Ground ground = random_ground(dice);
+    for (int i = 0; i < 40; ++i) {
+      const double radius = dice.magnitude(20, 2000);
+      const Parabola path = random_flight(dice, ground.box, radius);
+      const auto contact = ground.raster.first_contact(path, radius, 100);
+      expect_same(contact, ground.mesh.first_contact(path, radius, 100));
+      met += contact ? 1 : 0;
+      if (HasFatalFailure()) return;
+    }
+  }
+  EXPECT_GT(met, 1000);
+}
+
 // On ground so smooth that neighbouring facets are nearly one plane, where a bouncing or rolling sphere is close to
 // many of them at the same time.
 TEST(RasterSurface, ASphereBouncesDownSmoothGroundAsOnTheMesh) {

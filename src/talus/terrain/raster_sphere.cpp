@@ -255,9 +255,17 @@ auto RasterSurface::flight_of_sphere(const Parabola& path, double radius, double
   // The centre may be off the terrain.
   const auto across = static_cast<std::int64_t>(std::ceil((radius + box_pad) / grid_.dx));
   const auto along = static_cast<std::int64_t>(std::ceil((radius + box_pad) / grid_.dy));
+  // In every part all cells within the radius are near. Among cells much smaller than the sphere, a part is therefore
+  // as long as many cells: their number, and not its square, determines the work for one radius of the path.
+  constexpr double parts_per_radius = 8;
+  const auto side = static_cast<std::int64_t>(std::max(1.0, radius / (parts_per_radius * std::max(grid_.dx, grid_.dy))));
+  const auto parts = [&](std::size_t cells, std::int64_t around) {
+    return (static_cast<std::int64_t>(cells) + 2 * around + side - 1) / side;
+  };
+  const auto length = static_cast<double>(side);
   GridWalk at(path, t_max, grid_.x0 - static_cast<double>(across) * grid_.dx,
-              grid_.y0 - static_cast<double>(along) * grid_.dy, grid_.dx, grid_.dy,
-              static_cast<std::int64_t>(columns_) + 2 * across, static_cast<std::int64_t>(rows_) + 2 * along);
+              grid_.y0 - static_cast<double>(along) * grid_.dy, length * grid_.dx, length * grid_.dy,
+              parts(columns_, across), parts(rows_, along));
   SphereSearch search(*this, path, SpherePath::flight, radius, t_max, left);
   if (at.is_over()) return {std::nullopt, known};
   search.start_at(at.enter());
