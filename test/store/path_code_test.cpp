@@ -190,6 +190,28 @@ TEST(PathCode, CutOrChangedBytesAreRefusedOrRead) {
   EXPECT_GT(refused, 1000);
 }
 
+/// Their checksums may be right, but energies and distances would not be finite.
+TEST(PathCode, OfNumbersBeyondAnyRunAreRefused) {
+  const Vec3 gravity(0, 0, -9.80665);
+  int tried = 0;
+  StoredTrajectory into;
+  for (const Both& rock : rocks_of(models.front())) {
+    for (const double number : {rock.record.body.mass, rock.record.body.radius, rock.record.outcome.start.position.x(),
+                                rock.record.outcome.start.velocity.x(), rock.record.outcome.max_kinetic_energy}) {
+      const std::size_t place = rock.bytes.find(std::string(reinterpret_cast<const char*>(&number), sizeof number));
+      if (number == 0 || place == std::string::npos) continue;
+      ++tried;
+      for (const double wrong : {1e300, 1e31, std::numeric_limits<double>::infinity(),
+                                 std::numeric_limits<double>::quiet_NaN()}) {
+        std::string bytes = rock.bytes;
+        std::memcpy(bytes.data() + place, &wrong, sizeof wrong);
+        EXPECT_THROW(decode_path(bytes, gravity, into), BadBytes) << number << " as " << wrong;
+      }
+    }
+  }
+  EXPECT_GT(tried, 50);
+}
+
 /// The steps of a spin are those of the surface: of a rock without extent they would have no end.
 TEST(PathCode, OfARockThatSpinsWithoutEndIsRefused) {
   const auto all = rocks_of(models[1]);  // spheres

@@ -113,10 +113,14 @@ class ByteBuffer {
   std::size_t size_ = 0;
 };
 
+/// Beyond any number of a run, whose settings are limited (project/settings/limits.hpp); energies and distances of
+/// smaller numbers are finite.
+inline constexpr double largest_number = 1e30;
+
 template <class Number>
 [[nodiscard]] double get_number(ByteReader& in) {
   const auto x = static_cast<double>(in.get<Number>());
-  expect_bytes(std::isfinite(x), "a number is not finite");
+  expect_bytes(std::abs(x) <= largest_number, "a number is beyond any run");
   return x;
 }
 template <class Number>

@@ -8,6 +8,15 @@ namespace talus {
 
 namespace {
 
+/// Expects a motion with which a rock could be in a run.
+void expect_possible(const Motion& motion, const Rock& body) {
+  const double energy =
+      0.5 * body.mass * motion.velocity.squaredNorm() + 0.5 * body.inertia * motion.spin.squaredNorm();
+  expect_bytes(motion.position.cwiseAbs().maxCoeff() <= largest_number && std::abs(motion.time) <= largest_number &&
+                   energy <= largest_number,
+               "a motion is beyond any run");
+}
+
 /// Reads the items of a path.
 class Decoder {
  public:
@@ -32,9 +41,7 @@ class Decoder {
         if (where_[departed_] == at_departure) rock_.rows[departed_].motion = now_;
       }
       (tag & piece_on_ground) != 0 ? read_part(tag) : read_flight(tag);
-      expect_bytes(now_.position.allFinite() && now_.velocity.allFinite() && now_.spin.allFinite() &&
-                       std::isfinite(now_.time),
-                   "a path is not finite");
+      expect_possible(now_, rock_.record.body);
     }
     return now_;
   }
@@ -57,6 +64,7 @@ class Decoder {
       motion.position = get_vector<double>(in_, planar_);
       motion.velocity = get_vector<double>(in_, planar_);
       motion.spin = get_spin<double>(in_, planar_);
+      expect_possible(motion, rock_.record.body);
     }
     rock_.rows.push_back({static_cast<PathState>(state), motion});
     where_.push_back(where);
@@ -174,6 +182,7 @@ void decode_path(std::string_view bytes, const Vec3& gravity, StoredTrajectory& 
   if (!has(end_has_time)) end.time = last.time;
   if (!has(end_has_velocity) && !has(end_has_no_velocity)) end.velocity = last.velocity;
   if (!has(end_has_spin) && !has(end_has_no_spin)) end.spin = last.spin;
+  for (const Motion* motion : {&start, &end}) expect_possible(*motion, record.body);
   decoder.finish(end);
 }
 

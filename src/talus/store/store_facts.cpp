@@ -1,21 +1,10 @@
 #include "talus/store/store_facts.hpp"
 
-#include <cmath>
+#include "talus/store/path_bytes.hpp"
 
 namespace talus {
 
 namespace {
-
-double get_finite(ByteReader& in) {
-  const auto x = in.get<double>();
-  expect_bytes(std::isfinite(x), "a number is not finite");
-  return x;
-}
-Vec3 get_vector(ByteReader& in) {
-  Vec3 v;
-  for (double& x : v) x = get_finite(in);
-  return v;
-}
 
 void save_names(ByteWriter& out, const std::vector<std::string>& names) {
   out.count(names.size());
@@ -66,9 +55,9 @@ StoreFacts StoreFacts::read(ByteReader& in) {
   StoreFacts facts;
   facts.is_section = in.flag();
   facts.is_sphere = in.flag();
-  facts.origin = get_vector(in);
-  facts.gravity = get_vector(in);
-  facts.energy_datum = get_finite(in);
+  facts.origin = get_vector<double>(in, false);
+  facts.gravity = get_vector<double>(in, false);
+  facts.energy_datum = get_number<double>(in);
   facts.seed = in.get<std::uint64_t>();
   facts.planned = in.get<std::uint64_t>();
   facts.ensembles = in.get<std::uint64_t>();
