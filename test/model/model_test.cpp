@@ -74,6 +74,16 @@ TEST(BuildModel, RefusesABarrierWithoutLength) {
       "slope.toml:11: barrier \"Fence\": its line is 1e-06 m long (expected at least 1e-05 m)");
 }
 
+// In a longer step a rock could fall past the whole terrain.
+TEST(BuildModel, LimitsTheTimestepByTheSizeOfTheTerrain) {
+  const auto timestep_of = [](const std::string& seconds) {
+    Problems warnings;
+    return model_of(flat_2d + "[analysis]\nmax_timestep_s = " + seconds + "\n", warnings).laws.timestep;
+  };
+  EXPECT_EQ(timestep_of("0.01"), 0.01);
+  EXPECT_DOUBLE_EQ(timestep_of("1e6"), std::sqrt(2 * std::hypot(20, 10) / standard_gravity));
+}
+
 const std::string varied_2d = replaced(
     flat_2d, "section = ", "section_std_dev_m = [[0.5, 0], [0, 0], [1, 0]]\nsection = ");  // certain from 1.5 to 17
 

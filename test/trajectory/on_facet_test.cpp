@@ -40,6 +40,22 @@ RockState slide_to_the_bend(RockOn<Profile>& rock, const Profile& profile, doubl
   return next ? next->state : Ended{EndReason::lost};
 }
 
+TEST(OnFacet, ASphereMovesALimitedNumberOfRadiiInOneStep) {
+  const Profile profile = bend(-2);
+  const Rock pebble = sphere_of_diameter(0.005, 2700);
+  const Vec3 n = profile.normal(FacetId{0});
+  RockOn rock(profile, {.mu = 0.6}, laws_of(RockModel::rigid_sphere, 1e6),
+              {-40 * down + pebble.radius * n, Vec3::Zero()}, pebble);
+  OnFacet state{{n, FacetId{0}}, {.sphere = {0.6, 0.1}}, {}};
+  for (int k = 0; k < 20; ++k) {
+    const Vec3 before = rock->motion.position;
+    ASSERT_FALSE(take_leg(*rock, state));
+    const double way = (rock->motion.position - before).norm();
+    EXPECT_GT(way, 0);
+    EXPECT_LE(way, 100 * pebble.radius * (1 + 1e-9));
+  }
+}
+
 // v^2 = 2 s g (sin - mu cos).
 TEST(OnFacet, ReachesTheEndWithTheSpeedFromEnergy) {
   const double way = 20, mu = 0.25;

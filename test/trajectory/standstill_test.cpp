@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "support/meshes.hpp"
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
@@ -37,6 +38,25 @@ TEST(Standstill, OfASlideThatTurnsBackIsNoRestForAnyTimestep) {
     const Followed path = follow(rising(slope), ground_of(soil), laws, {{{0, 0, 0}, along(slope, 3)}, rock});
     EXPECT_EQ(path.outcome.reason, EndReason::left_model) << timestep;
     EXPECT_NEAR(path.outcome.end.position.x(), -50, 1e-6) << timestep;
+  }
+}
+
+// A rock that is so slow at the rim of the model that it falls along it.
+TEST(Standstill, AlmostAtTheRimIsNoFallThroughIt) {
+  const Shape square = net(
+      1, 1, [](std::uint32_t i, std::uint32_t j) { return Vec3(i - 1.0, j - 0.5, 1.0 - i); },
+      [](std::uint32_t, std::uint32_t) { return true; });
+  const TriangleMesh mesh = square.mesh();
+  Soil soil;
+  soil.phi = 0.1;
+  for (const double speed : {1e-6, 1e-8, 1e-9}) {
+    for (const SlidingMethod sliding : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
+      Laws laws = laws_of(RockModel::lumped_mass);
+      laws.sliding = sliding;
+      const Release release{{{-1e-18, 0.1, 1e-18}, Vec3(speed, 0, -speed)}, rock};
+      const Followed path = follow(mesh, ground_of(soil), laws, release);
+      EXPECT_EQ(path.outcome.reason, EndReason::left_model) << speed << rows_up_to(path, path.log.rows.size() - 1);
+    }
   }
 }
 

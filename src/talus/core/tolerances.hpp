@@ -111,6 +111,10 @@ inline constexpr double past_the_end = 1e-3;
 /// in it.
 inline constexpr double edge_step = 0.01;
 
+/// The distance, in radii, that a sphere on a facet moves at most in one step. In a longer one its slip would keep the
+/// direction that it has where the step would end, far beyond what the sphere meets on the way.
+inline constexpr double longest_step_in_radii = 100;
+
 /// A rock that has not moved further than this is in the same place [m].
 inline constexpr double same_place = 1e-3;
 /// And it has the same spin, if the speed of its surface by spin has not changed by more than this [m/s].

@@ -129,6 +129,7 @@ class Builder {
     model_.laws = laws_of(project_);
     model_.seed = project_.sampling.seed;
     model_.sampling = project_.sampling.method;
+    limit_timestep();
     const double lowest = visit([](const auto& surface) { return surface.bounds().low.z(); });
     model_.energy_datum = project_.analysis.energy_datum_m.value_or(lowest + model_.frame.origin.z());
     model_.runout_frame = runout_frame_of(project_.output, model_.frame);
@@ -141,6 +142,13 @@ class Builder {
   }
 
  private:
+  /// A rock that starts from rest could fall past the whole terrain in a longer step.
+  void limit_timestep() {
+    const Box bounds = visit([](const auto& surface) { return surface.bounds(); });
+    const double longest = std::sqrt(2 * (bounds.high - bounds.low).norm() / model_.laws.gravity.norm());
+    model_.laws.timestep = std::min(model_.laws.timestep, longest);
+  }
+
   void report(int line, std::string where, std::string what, std::string why, std::string hint) {
     problems_.add({Severity::error, project_.file.string(), line, std::move(where), std::move(what), std::move(why),
                    std::move(hint)});

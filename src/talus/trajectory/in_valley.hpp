@@ -12,7 +12,8 @@ template <class Surface>
 
 template <class Surface>
 [[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const InValley& state, const Footing& footing) {
-  return state.is_on_facet ? rock.laws.timestep : longest_leg_on_edge(rock, state.friction, footing);
+  return state.is_on_facet ? longest_leg_on_planes(rock, state.friction, footing)
+                           : longest_leg_on_edge(rock, state.friction, footing);
 }
 
 [[nodiscard]] inline GroundBeneath ground_beneath(const InValley& state, const Footing& footing) {

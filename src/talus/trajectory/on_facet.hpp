@@ -12,9 +12,19 @@ template <class Surface>
   return Footing::on_plane(rock.laws.gravity, state.on.normal);
 }
 
+/// The duration [s] of a leg on one facet or between two.
 template <class Surface>
-[[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const OnFacet&, const Footing&) {
-  return rock.laws.timestep;
+[[nodiscard]] double longest_leg_on_planes(const MovingRock<Surface>& rock, const GroundFriction& friction,
+                                           const Footing& footing) {
+  if (!rock.is_sphere()) return rock.laws.timestep;
+  const double braking = friction.sphere.dynamic * std::max(footing.normal_acceleration, 0.0);
+  return std::min(rock.laws.timestep, time_for_way(tolerance::longest_step_in_radii * rock.reach,
+                                                   rock.motion.velocity.norm(), footing.pull.norm() + braking));
+}
+
+template <class Surface>
+[[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const OnFacet& state, const Footing& footing) {
+  return longest_leg_on_planes(rock, state.friction, footing);
 }
 
 template <class Surface>
@@ -144,7 +154,11 @@ template <class Surface>
 /// leaves it, even if its surface would still touch the rim.)
 template <class Surface>
 [[nodiscard]] std::optional<Exit> exit_at(const MovingRock<Surface>& rock, const OutlineEdge& edge) {
-  return edge.beyond ? std::nullopt : rock.exit_from(rock.motion.position, rock.motion.velocity);
+  if (edge.beyond) return std::nullopt;
+  const Motion& motion = rock.motion;
+  if (const auto exit = rock.exit_from(motion.position, motion.velocity)) return exit;
+  // One that is very slow would fall along the rim, within the thickness of its facet.
+  return rock.exit_from(motion.position - tolerance::look_ahead * edge.inward, motion.velocity);
 }
 
 /// The state of a rock that has reached the end of its plane.
