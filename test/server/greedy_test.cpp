@@ -130,6 +130,25 @@ TEST_F(Slow, HeadsAreCutOff) {
   EXPECT_LT(Clock::now() - begin, 30s);
 }
 
+TEST_F(Slow, HeadsOfEmptyLinesAreCutOff) {
+  RawConnection connection(port_);
+  const auto begin = Clock::now();
+  while (connection.is_open() && Clock::now() - begin < 1min) {
+    connection.send("\r\n\r\n");
+    std::this_thread::sleep_for(20ms);
+  }
+  EXPECT_LT(Clock::now() - begin, 30s);
+  EXPECT_EQ(connection.status(), 0);
+}
+
+TEST_F(Greedy, EmptyLinesBeforeARequestAreIgnored) {
+  RawConnection connection(port_);
+  for (int k = 0; k < 3; ++k) {
+    connection.send("\r\n\r\nGET /api/about HTTP/1.1\r\n" + with_session() + "\r\n\r\n");
+    EXPECT_EQ(connection.status(), 200);
+  }
+}
+
 // The browser is opened with a page in a private folder: all users can read the arguments of a program.
 TEST(OpenedWorkbench, HidesItsToken) {
   const test::Workplace work;

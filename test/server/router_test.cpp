@@ -120,6 +120,64 @@ TEST_F(Requests, DoNotBeginInTheRestOfARefusedBody) {
   }
 }
 
+TEST_F(Requests, WithTwoHostsOrLengthsAreRefusedAtOnce) {
+  const std::string host = "Host: 127.0.0.1:" + std::to_string(port_) + "\r\n", cookie = "Cookie: " + cookie_ + "\r\n";
+  const std::string type = "Content-Type: application/json\r\n";
+  for (const std::string& head :
+       {"GET /api/about HTTP/1.1\r\n" + host + host + cookie,
+        "GET /api/about HTTP/1.1\r\n" + host + "Host: x\r\n" + cookie,
+        "POST /api/tokens HTTP/1.1\r\n" + host + cookie + type + "Content-Length: 2\r\nContent-Length: 1000\r\n",
+        "POST /api/tokens HTTP/1.1\r\n" + host + cookie + type + "Content-Length: -1\r\n",
+        "POST /api/tokens HTTP/1.1\r\n" + host + cookie + type + "Content-Length: 2, 2\r\n"}) {
+    testing_tools::RawConnection connection(port_);
+    connection.send(head + "\r\n");
+    EXPECT_EQ(connection.status(), 400) << head;
+    EXPECT_TRUE(connection.is_closed()) << head;
+  }
+}
+
+TEST_F(Requests, ForAPartGetItIfItBeginsBeforeTheEnd) {
+  const auto part = [&](const std::string& range) {
+    return send("GET", "/api/about", "", {{"Range", "bytes=" + range}});
+  };
+  const auto content_range = [](const Reply& reply) {
+    const auto found = reply.headers.find("Content-Range");
+    return found == reply.headers.end() ? std::string() : found->second;
+  };
+  const std::string whole = get("/api/about").body, size = std::to_string(whole.size());
+  const std::size_t bytes = whole.size();
+  ASSERT_GT(bytes, 100U);
+  const auto expect = [&](const std::string& range, std::size_t first, std::size_t end) {
+    const Reply reply = part(range);
+    EXPECT_EQ(reply.status, 206) << range;
+    EXPECT_EQ(reply.body, whole.substr(first, end - first)) << range;
+    EXPECT_EQ(content_range(reply), "bytes " + std::to_string(first) + '-' + std::to_string(end - 1) + '/' + size);
+  };
+  expect("0-3", 0, 4);
+  expect("5-", 5, bytes);
+  expect("-7", bytes - 7, bytes);
+  expect("-1000000", 0, bytes);
+  expect("3-1000000000000", 3, bytes);
+  for (const std::string& range : {size + '-', size + "-1000000", std::string("1000000000000-"), std::string("-0")}) {
+    const Reply reply = part(range);
+    EXPECT_EQ(reply.status, 416) << range;
+    EXPECT_EQ(content_range(reply), "bytes */" + size) << range;
+    EXPECT_EQ(reply.problem(), "Range: begins beyond the end of the answer (it has " + size + " bytes)");
+  }
+}
+
+TEST_F(Requests, ForAPartOfThePageGetNoMoreThanIsThere) {
+  testing_tools::RawConnection connection(port_);
+  const auto status = [&](const std::string& range) {
+    connection.send("GET / HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) + "\r\nCookie: " + cookie_ +
+                    "\r\nRange: bytes=" + range + "\r\n\r\n");
+    return connection.status();
+  };
+  for (const std::string range : {"0-3", "5-", "-7", "3-1000000000000"}) EXPECT_EQ(status(range), 206) << range;
+  for (const std::string range : {"1000000000000-", "-0"}) EXPECT_EQ(status(range), 416) << range;
+  EXPECT_EQ(status("0-3"), 206) << "the connection goes on";
+}
+
 TEST_F(Requests, ForUnknownPathsAreAnsweredInJson) {
   for (const std::string what : {"/api/nothing", "/api/models/0123/nothing", "/api"}) {
     const Reply reply = get(what);

@@ -42,20 +42,26 @@ Connection::Head Connection::receive() {
     if (got < 0 && errno == EINTR) continue;
     if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return Head::incomplete;
     if (got <= 0) return Head::closed;
-    if (received_.empty()) head_since_ = Clock::now();
+    if (!head_since_) head_since_ = Clock::now();
     received_.append(bytes.data(), static_cast<std::size_t>(got));
+    drop_empty_lines();
     if (const Head now = head(); now != Head::incomplete) return now;
   }
 }
 
 Connection::Clock::time_point Connection::deadline() const {
-  return received_.empty() ? idle_since_ + limits_.idle_time : head_since_ + limits_.head_time;
+  return head_since_ ? *head_since_ + limits_.head_time : idle_since_ + limits_.idle_time;
 }
+
+// A server ignores empty lines before a request (RFC 9112, 2.2). The library would answer each as a request.
+void Connection::drop_empty_lines() { received_.erase(0, received_.find_first_not_of("\r\n")); }
 
 void Connection::begin_next() {
   received_.erase(0, read_);
   read_ = 0;
-  idle_since_ = head_since_ = Clock::now();
+  idle_since_ = Clock::now();
+  head_since_ = received_.empty() ? std::nullopt : std::optional(idle_since_);
+  drop_empty_lines();
 }
 
 bool Connection::is_ready(short events, std::chrono::milliseconds patience) const {

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <string>
 
 #include "http/limits.hpp"
@@ -51,13 +52,15 @@ class Connection : public httplib::Stream {
   void get_local_ip_and_port(std::string& ip, int& port) const override;
 
  private:
+  void drop_empty_lines();
   [[nodiscard]] bool is_ready(short events, std::chrono::milliseconds patience) const;
 
   socket_t socket_;
   const Limits& limits_;
-  std::string received_;  // from the beginning of the current request
+  std::string received_;  // from the first line of the current request, without empty lines before it
   std::size_t read_ = 0;  // bytes of it that the library has read
-  Clock::time_point idle_since_ = Clock::now(), head_since_{};
+  Clock::time_point idle_since_ = Clock::now();
+  std::optional<Clock::time_point> head_since_;  // nullopt: no byte of the next request has arrived
 };
 
 }  // namespace talus::server

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "http/ranges.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/files/json_text.hpp"
 
@@ -237,6 +238,16 @@ bool Router::check_access(const httplib::Request& request, httplib::Response& re
     }
     return false;
   };
+  for (const char* name : {"Host", "Content-Length"}) {
+    if (request.get_header_value_count(name) < 2) continue;
+    write_and_close(refusal_answer(Refusal(400, name, "occurs twice in this request")), response);
+    return false;
+  }
+  const std::string length = request.get_header_value("Content-Length");
+  if (length.find_first_not_of("0123456789") != std::string::npos) {
+    write_and_close(refusal_answer(Refusal(400, "Content-Length", "is not a number")), response);
+    return false;
+  }
   if (!is_ours(request.get_header_value("Host")))
     return refuse(403, "Host", "this is not the server's name", "Use the address that it printed");
   if (request.has_header("Origin")) {
@@ -254,13 +265,14 @@ bool Router::check_access(const httplib::Request& request, httplib::Response& re
   if (!takes_a_body && has_body(request)) return refuse(400, "", "this request must not have a body");
   if (request.has_header("Transfer-Encoding"))
     return refuse(411, "Transfer-Encoding", "is not supported", "Send a Content-Length");
-  if (request.ranges.size() > 1) return refuse(416, "Range", "has several parts", "Request one at a time");
+  if (asks_for_several_parts(request)) return refuse(416, "Range", "has several parts", "Request one at a time");
   return true;
 }
 
 httplib::Server::Handler Router::guarded(Handler handler) {
   return [handler = std::move(handler)](const httplib::Request& request, httplib::Response& response) {
     write(answer_of([&] { return handler(Call{request}); }), response);
+    apply_range(request, response);
   };
 }
 
@@ -296,6 +308,7 @@ void Router::stream(const std::string& pattern, RawHandler handler) {
       return Answer{};
     });
     if (!has_begun) write(answer, response);
+    apply_range(request, response);
   });
 }
 

@@ -139,7 +139,9 @@ void WebServer::answer(const Held& connection) {
   {
     const StopScope ending(&is_closed_), leaving(&connection->has_gone);
     try {
-      is_answered = process_request(*connection, false, is_over, nullptr);
+      // apply_range() cuts answers, not the library.
+      is_answered =
+          process_request(*connection, false, is_over, [](httplib::Request& request) { request.ranges.clear(); });
     } catch (...) {  // a failure while the answer is sent cannot be reported to the client
       is_answered = false;
     }

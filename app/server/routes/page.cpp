@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "assets.hpp"
+#include "http/ranges.hpp"
 #include "routes/routes.hpp"
 
 namespace talus::server {
 
 namespace {
 
-void send(const Asset& asset, httplib::Response& response) {
+void send(const Asset& asset, const httplib::Request& request, httplib::Response& response) {
   response.set_header("Content-Encoding", "gzip");
   // The names of assets, but not of the page itself, change with their contents.
   if (asset.path.starts_with("assets/")) response.set_header("Cache-Control", "private, max-age=31536000, immutable");
@@ -17,6 +18,7 @@ void send(const Asset& asset, httplib::Response& response) {
                                 [asset](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
                                   return sink.write(asset.bytes.data() + offset, length);
                                 });
+  apply_range(request, response);
 }
 
 constexpr const char* used_token =
@@ -57,7 +59,7 @@ void add_page_routes(Router& router, httplib::Server& server, Session& session,
       response.set_content(no_session, "text/html; charset=utf-8");
       return;
     }
-    send(*find("index.html"), response);
+    send(*find("index.html"), request, response);
   });
   server.Get(R"(/([A-Za-z0-9._/-]+))", [find](const httplib::Request& request, httplib::Response& response) {
     const auto asset = find(request.matches[1].str());
@@ -65,7 +67,7 @@ void add_page_routes(Router& router, httplib::Server& server, Session& session,
       response.status = 404;
       return;
     }
-    send(*asset, response);
+    send(*asset, request, response);
   });
   router.post("/api/tokens", [address](const Call& call) {
     call.only({});
