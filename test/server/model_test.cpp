@@ -31,6 +31,15 @@ TEST_F(ModelOf, NamesTheSettingOfEachProblem) {
             std::vector<std::string>{"seeder.0.\"a.b\""});
 }
 
+TEST_F(ModelOf, ListsTheFirstOfVeryManyProblems) {
+  std::string text = section_text + "[analysis]\n";
+  for (int k = 0; k < 1500; ++k) text += "k" + std::to_string(k) + " = 1\n";
+  const std::vector<std::string> problems = problems_of(text);
+  ASSERT_EQ(problems.size(), 1001U);
+  EXPECT_TRUE(problems[999].starts_with("analysis.k999: ")) << problems[999];
+  EXPECT_EQ(problems[1000], ": there are 500 more problems (only 1000 are listed)");
+}
+
 TEST_F(ModelOf, NamesTheMissingKey) {
   EXPECT_EQ(paths_of(with(section_text, "position = [1, 25]\n", "")), std::vector<std::string>{"seeder.0.position"});
   EXPECT_EQ(paths_of(with(section_text, "height_m = 4\n", "")), std::vector<std::string>{"barrier.0.height_m"});

@@ -1,5 +1,7 @@
 #include "http/answer.hpp"
 
+#include <fmt/format.h>
+
 namespace talus::server {
 
 Answer json_answer(const Json& json, int status) {
@@ -7,8 +9,32 @@ Answer json_answer(const Json& json, int status) {
   return {.status = status, .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
-Json as_json(const Problems& problems) {
+namespace {
+
+/// No page shows more; each takes kilobytes.
+constexpr std::size_t most_problems = 1000;
+
+/// All problems, or the first ones, errors before warnings, and how many more there are.
+Problems first_of(const Problems& problems) {
+  if (problems.list().size() <= most_problems) return problems;
+  Problems first;
+  std::size_t count = 0;
+  for (const Severity severity : {Severity::error, Severity::warning}) {
+    for (const Problem& problem : problems.list()) {
+      if (problem.severity == severity && count++ < most_problems) first.add(problem);
+    }
+  }
+  first.add({.severity = problems.has_errors() ? Severity::error : Severity::warning,
+             .what = fmt::format("there are {} more problems", problems.list().size() - most_problems),
+             .why = fmt::format("only {} are listed", most_problems)});
+  return first;
+}
+
+}  // namespace
+
+Json as_json(const Problems& all) {
   Json list = Json::array();
+  const Problems problems = first_of(all);
   for (Problem problem : problems.list()) {
     problem.option.clear();  // a page has no command line
     list.push_back({{"severity", problem.severity == Severity::error ? "error" : "warning"},

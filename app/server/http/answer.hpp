@@ -23,7 +23,7 @@ struct Answer {
 
 [[nodiscard]] Answer json_answer(const Json& json, int status = 200);
 
-/// Each problem with its parts, and its text in one line.
+/// Each problem with its parts, and its text in one line. Of very many the first ones, and how many more there are.
 [[nodiscard]] Json as_json(const Problems& problems);
 
 /// A refused request with its HTTP status. BadInput, which the engine throws, is answered with 422.

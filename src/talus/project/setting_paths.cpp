@@ -1,8 +1,6 @@
 #include "talus/project/setting_paths.hpp"
 
 #include <algorithm>
-#include <functional>
-#include <numeric>
 
 namespace talus::project {
 
@@ -13,12 +11,6 @@ bool is_bare(std::string_view key) {
     return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || (letter >= '0' && letter <= '9') ||
            letter == '_' || letter == '-';
   });
-}
-
-std::string_view key_of(const toml::table& table, const toml::node& value) {
-  for (const auto& [key, node] : table)
-    if (&node == &value) return key.str();
-  return {};
 }
 
 }  // namespace
@@ -42,21 +34,21 @@ std::optional<std::vector<std::string>> parts_of(std::string_view path) {
   return parts;
 }
 
-SettingPaths::SettingPaths(const toml::table& root) : root_(root) {
-  for (const auto& [key, node] : root) add(node, none, 0);
-  by_address_.resize(entries_.size());
-  std::iota(by_address_.begin(), by_address_.end(), 0U);
-  std::sort(by_address_.begin(), by_address_.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return std::less<>()(entries_[a].node, entries_[b].node); });
+SettingPaths::SettingPaths(const toml::table& root) {
+  for (const auto& [key, node] : root) add(node, none, 0, key.str());
 }
 
-void SettingPaths::add(const toml::node& node, std::uint32_t parent, std::uint32_t number) {
+void SettingPaths::add(const toml::node& node, std::uint32_t parent, std::uint32_t number, std::string_view key) {
   const auto entry = static_cast<std::uint32_t>(entries_.size());
-  entries_.push_back({&node, parent, number});
+  entries_.push_back({&node, parent, number, key});
+  by_address_.emplace(&node, entry);
+  // A list of tables has no line.
+  if (!node.is_array_of_tables()) by_line_.emplace(node.source().begin.line, entry);
+  if (const auto* text = node.as_string()) by_text_.emplace(text->get(), entry);
   if (const toml::table* table = node.as_table()) {
-    for (const auto& [key, value] : *table) add(value, entry, 0);
+    for (const auto& [name, value] : *table) add(value, entry, 0, name.str());
   } else if (const toml::array* list = node.as_array()) {
-    for (std::uint32_t k = 0; k < list->size(); ++k) add((*list)[k], entry, k);
+    for (std::uint32_t k = 0; k < list->size(); ++k) add((*list)[k], entry, k, {});
   }
 }
 
@@ -66,35 +58,25 @@ std::string SettingPaths::below(std::string path, std::string_view key) {
 }
 
 std::string SettingPaths::path(std::uint32_t entry) const {
-  const auto& [node, parent, number] = entries_[entry];
-  const toml::node& holder = parent == none ? root_ : *entries_[parent].node;
+  const auto& [node, parent, number, key] = entries_[entry];
   std::string before = parent == none ? std::string() : path(parent);
-  const toml::table* table = holder.as_table();
-  return below(std::move(before), table ? key_of(*table, *node) : std::string_view(std::to_string(number)));
+  const bool is_in_list = parent != none && entries_[parent].node->is_array();
+  return below(std::move(before), is_in_list ? std::string_view(std::to_string(number)) : key);
 }
 
 std::string SettingPaths::of(const toml::node& node) const {
-  const auto found = std::lower_bound(
-      by_address_.begin(), by_address_.end(), &node,
-      [&](std::uint32_t entry, const toml::node* address) { return std::less<>()(entries_[entry].node, address); });
-  return found != by_address_.end() && entries_[*found].node == &node ? path(*found) : std::string();
+  const auto found = by_address_.find(&node);
+  return found != by_address_.end() ? path(found->second) : std::string();
 }
 
 std::string SettingPaths::on_line(std::uint32_t line) const {
-  for (std::uint32_t k = 0; k < entries_.size(); ++k) {
-    const toml::node& node = *entries_[k].node;
-    // A list of tables has no line.
-    if (node.source().begin.line == line && !node.is_array_of_tables()) return path(k);
-  }
-  return {};
+  const auto found = by_line_.find(line);
+  return found != by_line_.end() ? path(found->second) : std::string();
 }
 
 std::string SettingPaths::of_text(std::string_view text) const {
-  for (std::uint32_t k = 0; k < entries_.size(); ++k) {
-    const auto* value = entries_[k].node->as_string();
-    if (value && value->get() == text) return path(k);
-  }
-  return {};
+  const auto found = by_text_.find(text);
+  return found != by_text_.end() ? path(found->second) : std::string();
 }
 
 }  // namespace talus::project

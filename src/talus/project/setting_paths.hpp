@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "talus/project/toml.hpp"
@@ -35,13 +36,16 @@ class SettingPaths {
     const toml::node* node;
     std::uint32_t parent;  // index of an entry; none: the table itself
     std::uint32_t number;  // in a list
+    std::string_view key;  // in a table
   };
-  void add(const toml::node& node, std::uint32_t parent, std::uint32_t number);
+  void add(const toml::node& node, std::uint32_t parent, std::uint32_t number, std::string_view key);
   [[nodiscard]] std::string path(std::uint32_t entry) const;
 
-  const toml::table& root_;
-  std::vector<Entry> entries_;             // a table or list before its contents
-  std::vector<std::uint32_t> by_address_;  // indices into entries_, sorted by the nodes' addresses
+  std::vector<Entry> entries_;  // a table or list before its contents
+  // Indices into entries_: by the nodes' addresses, and the first by line and by text.
+  std::unordered_map<const toml::node*, std::uint32_t> by_address_;
+  std::unordered_map<std::uint32_t, std::uint32_t> by_line_;
+  std::unordered_map<std::string_view, std::uint32_t> by_text_;
 };
 
 /// The parts of a path such as `material."Type 1.5".roughness_deg`; nullopt if a quote is left open or a part is empty.
