@@ -1,6 +1,7 @@
 #include "targets.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include "talus/archive/path_reader.hpp"
 #include "talus/archive/run_folder.hpp"
 #include "talus/archive/run_state.hpp"
+#include "talus/calibration/study.hpp"
 #include "talus/core/bytes.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/files/checksum.hpp"
@@ -20,6 +22,7 @@
 #include "talus/import/mesh_formats.hpp"
 #include "talus/import/point_file.hpp"
 #include "talus/import/survey_crs.hpp"
+#include "talus/layers/layer_shapes.hpp"
 #include "talus/meshing/cleaning.hpp"
 #include "talus/meshing/survey_surface.hpp"
 #include "talus/model/model.hpp"
@@ -28,6 +31,7 @@
 #include "talus/project/read.hpp"
 #include "talus/report/report.hpp"
 #include "talus/run/run_results.hpp"
+#include "talus/sensitivity/study.hpp"
 #include "talus/store/store_file.hpp"
 #include "talus/store/trajectory_store.hpp"
 
@@ -183,6 +187,54 @@ mass_kg = 1
   });
 }
 
+Verdict read_study(std::string_view input, const fs::path& folder) {
+  const bool is_sensitivity = take_choice(input) % 2 == 1;
+  return verdict_of([&] {
+    // The study file does not exist, and reading its text opens no other.
+    const fs::path file = folder / "not-there.toml";
+    if (is_sensitivity) {
+      (void)sensitivity::read_study_text(input, file);
+    } else {
+      (void)calibration::read_study_text(input, file);
+    }
+  });
+}
+
+Verdict read_posterior(std::string_view input, const fs::path& folder) {
+  constexpr std::string_view text = R"(
+[sampling]
+parameters = "posterior.csv"
+ensembles = 20
+[terrain]
+section = [[0, 10], [10, 0], [20, 0]]
+[[material]]
+name = "Rock"
+[[seeder]]
+position = [1, "surface"]
+rocks = 40
+mass_kg = { mean = 100, distribution = "uniform", rel_min = 50, rel_max = 50 }
+)";
+  written(folder / "posterior.csv", input);
+  return verdict_of([&] {
+    Problems warnings;
+    (void)project::build_model(project::read_project_text(text, folder / "not-there.toml").project, warnings);
+    (void)warnings.text();
+  });
+}
+
+Verdict read_layer(std::string_view input, const fs::path& folder) {
+  const char* const ending = take_choice(input) % 2 == 1 ? "dxf" : "geojson";
+  const fs::path file = written(folder / (std::string("layer.") + ending), input);
+  return verdict_of([&] {
+    Problems warnings;
+    const TerrainOnPlan terrain{{{-100, -100}, {100, 100}}, ""};
+    const LayerShapes layer =
+        shapes_of_layer(file, {.layer = "", .name_attribute = "", .most_points = most_parts}, terrain, warnings);
+    (void)layer.nearest({0, 0}, 10);
+    (void)warnings.text();
+  });
+}
+
 /// The other files of a folder with a hostile table.
 constexpr std::string_view summary_of_no_rocks =
     R"({"talus": {"version": ""}, "name": "", "fingerprint": "", "seed": 0, "interrupted": false, "end_reasons": {},
@@ -262,7 +314,12 @@ Verdict read_store_of(std::string_view input, const fs::path& folder) {
     (void)store.rocks_near({{-10, -10}, {10, 10}});
     const Vec2 line[] = {{0, 0}, {5, 1000}};
     (void)store.rocks_near(line, 1);
-    if (!store.rocks().empty()) (void)store.read(store.rocks().size() - 1);
+    if (store.rocks().empty()) return;
+    const StoredTrajectory last = store.read(store.rocks().size() - 1);
+    for (const PathRow& row : last.rows) {
+      const double energy = last.record.body.mass * row.motion.velocity.squaredNorm();
+      if (!std::isfinite(energy)) throw std::logic_error("the energies of a trajectory are finite");
+    }
   });
 }
 

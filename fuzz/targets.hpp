@@ -34,6 +34,15 @@ Verdict read_table(std::string_view input, const std::filesystem::path& folder);
 /// is built.
 Verdict read_section(std::string_view input, const std::filesystem::path& folder);
 
+/// The first byte selects a calibration or a sensitivity study, the others are its file.
+Verdict read_study(std::string_view input, const std::filesystem::path& folder);
+
+/// A sample of parameters, such as the posterior of a calibration, with which a model is built.
+Verdict read_posterior(std::string_view input, const std::filesystem::path& folder);
+
+/// The first byte selects GeoJSON or DXF, the others are a reference layer, which is drawn over a terrain.
+Verdict read_layer(std::string_view input, const std::filesystem::path& folder);
+
 /// The first byte selects integers or real numbers, the others are an ASCII grid, which is checked.
 Verdict read_grid(std::string_view input, const std::filesystem::path& folder);
 
@@ -57,13 +66,16 @@ struct Target {
   Read read;
 };
 
-inline constexpr std::array<Target, 11> targets{{{"project", &read_project},
+inline constexpr std::array<Target, 14> targets{{{"project", &read_project},
                                                  {"factors", &read_factors},
                                                  {"mesh", &read_mesh},
                                                  {"points", &read_points},
                                                  {"grid", &read_grid},
                                                  {"table", &read_table},
                                                  {"section", &read_section},
+                                                 {"study", &read_study},
+                                                 {"posterior", &read_posterior},
+                                                 {"layer", &read_layer},
                                                  {"results", &read_results},
                                                  {"state", &read_state},
                                                  {"picture", &read_picture},
