@@ -98,10 +98,11 @@ fuzz: setup
 	@cmake --preset fuzz >/dev/null && cmake --build --preset fuzz
 	@fuzz/run build-fuzz $(FUZZ_SECONDS)
 
-# Random rocks on random ground by the hundred thousand, and calibrations of a hundred synthetic sites.
+# Random rocks on random ground by the hundred thousand, 2,000 random projects, and calibrations of a hundred synthetic
+# sites.
 soak: setup-test
 	@cmake --preset release -DTALUS_TESTS=ON -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release
-	@TALUS_TEST_EFFORT=50 build/talus_tests --gtest_filter='*RandomRocks*:*CalibrationCoverage*'
+	@TALUS_TEST_EFFORT=50 build/talus_tests --gtest_filter='*RandomRocks*:*RandomProjects*:*CalibrationCoverage*'
 
 clean:
 	rm -rf build build-* out
