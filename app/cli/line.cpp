@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "commands.hpp"
@@ -124,7 +125,10 @@ void print_line(const Json& answer, const StoredSources& places, const Model& mo
   }
   fmt::print("{:g} % of them have at most (confidence {:g} %):\n", answer.at("design_percentile").get<double>(),
              100 * answer.at("confidence").get<double>());
-  for (const char* key : {"energy", "height", "velocity"}) fmt::print("  {:<10}{}\n", key, with_interval(card, key));
+  for (const char* key : {"energy", "height", "velocity"}) {
+    fmt::print("  {:<10}{}{}\n", key, with_interval(card, key),
+               std::string_view(key) == "height" ? ", of the block's top above the foot" : "");
+  }
   if (!answer.at("standard").is_null()) {
     fmt::print("{} asks for {}\n", answer.at("standard").get<std::string>(), card.at("needs").get<std::string>());
     const auto cautious = card.at("needs_at_upper_end").get<std::string>();
@@ -137,8 +141,8 @@ void print_line(const Json& answer, const StoredSources& places, const Model& mo
   const bool is_known = whole.at("percentiles").at("height_m").contains(percentile);
   const Json& sections = answer.at("sections");
   if (sections.size() > 1) {
-    fmt::print("\n{:>8}{:>9}{:>8}{:>13}{:>11}{:>14}{:>12}\n", "from [m]", "to [m]", "rocks", "energy [kJ]",
-               "height [m]", "speed [m/s]", "needs");
+    fmt::print("\n{:>8}{:>9}{:>8}{:>13}{:>11}{:>14}{:>12}\n", "from [m]", "to [m]", "rocks", "energy [kJ]", "top [m]",
+               "speed [m/s]", "needs");
     for (std::size_t s = 0; s < sections.size(); ++s) {
       const Json& section = sections[s];
       const bool is_worst = !answer.at("worst").is_null() && answer.at("worst").at("section") == s;
@@ -174,7 +178,7 @@ void print_area(const Json& answer, const StoredSources& places, const Model& mo
   count("entering", "enter");
   count("stopping", "stop in");
   if (const Json& maxima = answer.at("maxima"); !maxima.is_null()) {
-    fmt::print("at most {} kJ (total), {} m above the ground, {} m/s inside\n",
+    fmt::print("at most {} kJ (total), its lowest point {} m above the ground, {} m/s inside\n",
                three_digits(maxima.at("ke_total_J").get<double>() / 1000),
                three_digits(maxima.at("height_m").get<double>()),
                three_digits(maxima.at("velocity_m_s").get<double>()));

@@ -8,6 +8,7 @@
 #include "talus/archive/result_tables.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/campaign/thread_supply.hpp"
+#include "talus/rocks/heights.hpp"
 
 namespace talus::cli {
 
@@ -64,16 +65,19 @@ int replay(const ReplayOptions& options) {
     print_row(context, record, name(row.state), row.motion);
   }
   for (const BarrierHit& hit : log.hits) {
-    fmt::print("{}: {} at t = {:.5f} s, {:.3f} m above its foot, {:.1f} degrees to its normal\n",
-               context.barriers[hit.barrier.index], name(hit.outcome), hit.motion.time, hit.height,
-               hit.angle * 180 / std::numbers::pi);
+    fmt::print(
+        "{}: {} at t = {:.5f} s, contact {:.3f} m and top {:.3f} m above its foot, {:.1f} degrees to its "
+        "normal\n",
+        context.barriers[hit.barrier.index], name(hit.outcome), hit.motion.time, hit.height,
+        top_over(hit.lowest, record.body.radius), hit.angle * 180 / std::numbers::pi);
   }
   for (const PassedAbove& passed : log.passed_above) {
     fmt::print("{}: passed above with {:.3f} m to spare\n", context.barriers[passed.barrier.index], passed.clearance);
   }
   const RockOutcome& outcome = record.outcome;
-  fmt::print("ended: {}; maximum total kinetic energy {:.3f} kJ, maximum bounce height {:.3f} m\n",
-             name(outcome.reason), outcome.max_kinetic_energy / 1000, outcome.max_bounce);
+  fmt::print(
+      "ended: {}; maximum total kinetic energy {:.3f} kJ, maximum bounce height {:.3f} m (of its lowest point)\n",
+      name(outcome.reason), outcome.max_kinetic_energy / 1000, outcome.max_bounce);
   return done;
 }
 

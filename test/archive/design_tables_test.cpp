@@ -46,6 +46,7 @@ DesignResult small_result() {
   whole.to = 15.5;
   whole.demand_at_upper_end = KitDemand{260e3, 2, 4};
   whole.lateral = 0.25;
+  whole.largest_block = 1.25;
   whole.clearance = 6;
   whole.most_elongation = 5;
   const DesignFigures rim{.from = 0.5, .to = 12.5};
@@ -80,19 +81,20 @@ DesignResult small_result() {
 }
 
 TEST(DesignTables, HaveTheExpectedText) {
-  EXPECT_EQ(design_table(small_plan(), small_result()),
-            "line,section,from_m,to_m,rocks,share,share_low,share_high,"
-            "ke_translational_p97.5_J,ke_translational_p97.5_low_J,ke_translational_p97.5_high_J,"
-            "ke_total_p97.5_J,ke_total_p97.5_low_J,ke_total_p97.5_high_J,"
-            "velocity_p97.5_m_s,velocity_p97.5_low_m_s,velocity_p97.5_high_m_s,"
-            "height_p97.5_m,height_p97.5_low_m,height_p97.5_high_m,"
-            "needs_mel_kJ,needs_class,needs_height_m,needs_high_mel_kJ,needs_high_class,needs_high_height_m,"
-            "lateral,clearance_m,most_elongation_m\n"
-            "\"Road, lower\",all,0,15.5,3,0.25,0.125,0.5,1000,500,,1100,550,,10,5,,2,1.5,,1.2,0,2.5,260,2,4,0.25,6,5\n"
-            "\"Road, lower\",1,0,10,3,0.25,0.125,0.5,1000,500,,1100,550,,10,5,,2,1.5,,1.2,0,2.5,,,,,,\n"
-            "\"Road, lower\",2,10,15.5,0,0,0,0.25,,,,,,,,,,,,,,,,,,,,,\n"
-            "Rim,all,0.5,12.5,0,,,,,,,,,,,,,,,,,,,,,,,,\n"
-            "Rim,1,0.5,12.5,0,,,,,,,,,,,,,,,,,,,,,,,,\n");
+  EXPECT_EQ(
+      design_table(small_plan(), small_result()),
+      "line,section,from_m,to_m,rocks,share,share_low,share_high,"
+      "ke_translational_p97.5_J,ke_translational_p97.5_low_J,ke_translational_p97.5_high_J,"
+      "ke_total_p97.5_J,ke_total_p97.5_low_J,ke_total_p97.5_high_J,"
+      "velocity_p97.5_m_s,velocity_p97.5_low_m_s,velocity_p97.5_high_m_s,"
+      "height_p97.5_m,height_p97.5_low_m,height_p97.5_high_m,"
+      "needs_mel_kJ,needs_class,needs_height_m,needs_high_mel_kJ,needs_high_class,needs_high_height_m,"
+      "lateral,clearance_m,most_elongation_m,largest_block_m\n"
+      "\"Road, lower\",all,0,15.5,3,0.25,0.125,0.5,1000,500,,1100,550,,10,5,,2,1.5,,1.2,0,2.5,260,2,4,0.25,6,5,1.25\n"
+      "\"Road, lower\",1,0,10,3,0.25,0.125,0.5,1000,500,,1100,550,,10,5,,2,1.5,,1.2,0,2.5,,,,,,,\n"
+      "\"Road, lower\",2,10,15.5,0,0,0,0.25,,,,,,,,,,,,,,,,,,,,,,\n"
+      "Rim,all,0.5,12.5,0,,,,,,,,,,,,,,,,,,,,,,,,,\n"
+      "Rim,1,0.5,12.5,0,,,,,,,,,,,,,,,,,,,,,,,,,\n");
   EXPECT_EQ(ranking_table(small_plan(), small_result()),
             "rank,line,length_m,height_m,mel_kJ,class,suffices,sure,cost,rocks,caught,caught_share,caught_share_low,"
             "caught_share_high,above,through,beside,limit,kit,needs_clearance_m,clearance_m,residual_height_m,"
@@ -118,13 +120,13 @@ TEST(DesignTables, NameTheLimitOfAKit) {
             "line");
   kit.above = 1234567;
   kit.limit = KitLimit::height;
-  EXPECT_EQ(limit_text(small_plan(), kit), "1,234,567 of 4,501 pass above 3 m: give higher kits");
+  EXPECT_EQ(limit_text(small_plan(), kit), "1,234,567 of 4,501 reach above 3 m: give higher kits");
   kit.limit = KitLimit::energy;
   kit.through = 2;
   EXPECT_EQ(limit_text(small_plan(), kit), "2 of 4,501 have more energy than the kit may have: give stronger kits");
   kit.kit.reset();
   kit.limit = KitLimit::height;
-  EXPECT_EQ(limit_text(small_plan(), kit), "1,234,567 of 4,501 pass above 3 m: give greater heights_m");
+  EXPECT_EQ(limit_text(small_plan(), kit), "1,234,567 of 4,501 reach above 3 m: give greater heights_m");
   kit.through = 12;
   kit.limit = KitLimit::energy;
   EXPECT_EQ(limit_text(small_plan(), kit), "12 of 4,501 have more than 500 kJ: give greater energies_kJ");

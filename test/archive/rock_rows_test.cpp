@@ -37,9 +37,9 @@ Hits many_hits(std::uint64_t rocks) {
       const std::string name = k == 0 ? "upper, \"old\"" : "lower\n17,17,";
       const std::string quoted = k == 0 ? R"("upper, ""old""")" : "\"lower\n17,17,\"";
       const std::string time = fmt::format("{}.5", rock + k);
-      hits.text += fmt::format("{},{},{},1,2,3,0.5,1,0,-1,10,5,6,11,stopped,\n", quoted, rock, time);
+      hits.text += fmt::format("{},{},{},1,2,3,0.5,1,0,-1,10,5,6,11,stopped,,1.5\n", quoted, rock, time);
       hits.of_rock[rock].push_back({name, std::to_string(rock), time, "1", "2", "3", "0.5", "1", "0", "-1", "10", "5",
-                                    "6", "11", "stopped", ""});
+                                    "6", "11", "stopped", "", "1.5"});
     }
   }
   return hits;

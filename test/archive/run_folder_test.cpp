@@ -115,7 +115,7 @@ TEST(RunFolder, ReadsNamesWithCommasQuotesAndLineEnds) {
       "barriers.csv",
       sample_run::barriers_head +
           "\"Fence \"\"A\"\", upper\n\nrow\",1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,\"stopped\",\r\n"
-          "\"\",1,2,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,passed,\n");
+          "\"\",1,2,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,passed,,1.641\n");
   const RunFolder run = read_run_folder(folder.path);
   ASSERT_EQ(run.hits.items.size(), 2u);
   EXPECT_EQ(run.hits.items[0].barrier, "Fence \"A\", upper\n\nrow");

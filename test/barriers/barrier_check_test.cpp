@@ -25,9 +25,9 @@ TEST(BarrierCheck, AgreesWithAHandCalculation) {
   EXPECT_EQ(energy, 400e3);
   EXPECT_NEAR(needed_maximum_energy(usual(), energy), 697925.2896, 1e-6);
   EXPECT_EQ(needed_class(usual(), needed_maximum_energy(usual(), energy)), 3);
-  // 3 m x 1.122 = 3.366 m, and 0.5 m above, or the radius of a larger block.
-  EXPECT_NEAR(needed_height(usual(), 3, 0.45), 3.866, 1e-12);
-  EXPECT_NEAR(needed_height(usual(), 3, 0.80), 4.166, 1e-12);
+  // The centre, 3.45 m x 1.122 = 3.8709 m, and 0.5 m above, or the radius of a larger block: 3.8 m x 1.122 + 0.8 m.
+  EXPECT_NEAR(needed_height(usual(), 3, 0.45), 4.3709, 1e-12);
+  EXPECT_NEAR(needed_height(usual(), 3, 0.80), 5.0636, 1e-12);
   EXPECT_NEAR(*needed_clearance(usual(), 5), 6.5, 1e-12);
   EXPECT_NEAR(*most_elongation(usual(), 6.5), 5, 1e-12);
 }
@@ -37,10 +37,10 @@ TEST(BarrierCheck, MayHaveSeparateFactorsOnEnergyAndHeight) {
   CheckFactors factors;
   factors.energy = 1.25;
   EXPECT_EQ(needed_maximum_energy(factors, 400e3), 500e3);
-  EXPECT_EQ(needed_height(factors, 3, 0.5), 3);
+  EXPECT_EQ(needed_height(factors, 3, 0.5), 4);
   factors.height = 1.5;
   EXPECT_EQ(needed_maximum_energy(factors, 400e3), 500e3);
-  EXPECT_EQ(needed_height(factors, 3, 0.5), 4.5);
+  EXPECT_EQ(needed_height(factors, 3, 0.5), 6);
 }
 
 TEST(BarrierCheck, UsesTheDesignBlockIfGiven) {
@@ -70,9 +70,17 @@ TEST(BarrierCheck, OfTheServiceLevelNeedsThreeTimesTheEnergyAsMEL) {
   EXPECT_EQ(needed_class(usual(), 50e3), 0);
 }
 
-TEST(BarrierCheck, WithoutFactorsIsNeutral) {
-  EXPECT_EQ(needed_maximum_energy({}, 123456.7), 123456.7);
-  EXPECT_EQ(needed_height({}, 2.5, 3), 2.5);
+TEST(BarrierCheck, WithoutFactorsIsNeutral) { EXPECT_EQ(needed_maximum_energy({}, 123456.7), 123456.7); }
+
+// A clearance that holds half the block is counted from its centre, so that the block counts once.
+TEST(BarrierCheck, CountsTheBlockOnce) {
+  CheckFactors from_top, from_centre;
+  from_centre.clears_half_the_block = true;
+  EXPECT_EQ(needed_height(from_top, 2.5, 0.75), 4) << "its top";
+  EXPECT_EQ(needed_height(from_centre, 2.5, 0.75), 4);
+  from_top.clearance = from_centre.clearance = 1;
+  EXPECT_EQ(needed_height(from_top, 2.5, 0.75), 5) << "above the top";
+  EXPECT_EQ(needed_height(from_centre, 2.5, 0.75), 4.25) << "above the centre";
 }
 
 TEST(KitClass, AgreesWithTheAssessmentDocument) {

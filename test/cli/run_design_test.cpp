@@ -28,6 +28,8 @@ std::string with_collectors(const Workplace& work, const char* dimensions, const
   return work.write("slope.toml", text + more);
 }
 
+constexpr double radius_m = 0.44554;  // of the blocks of the tutorial, 1 t
+
 struct Hit {
   double y_m, height_m, ke_translational_J, ke_total_J, velocity_m_s;
 };
@@ -120,7 +122,7 @@ section_m = 20
     near("ke_translational_p95_J", quantile(values(hits, [](const Hit& h) { return h.ke_translational_J; }), 0.95));
     near("ke_total_p99_J", quantile(values(hits, [](const Hit& h) { return h.ke_total_J; }), 0.99));
     near("velocity_p50_m_s", quantile(values(hits, [](const Hit& h) { return h.velocity_m_s; }), 0.5));
-    near("height_p95_m", quantile(values(hits, [](const Hit& h) { return h.height_m; }), 0.95));
+    near("height_p95_m", quantile(values(hits, [](const Hit& h) { return h.height_m + 2 * radius_m; }), 0.95));
   };
   expect_section("all", 0, 50);
   expect_section("1", 0, 20);
@@ -176,7 +178,7 @@ heights_m = [1, 2, 3, 4, 6, 8]
       continue;
     }
     const Hit& hit = found->second;
-    const bool is_below_top = hit.height_m * 1.1 * 1.1 + 0.5 <= height_m;  // the blocks' radius is 0.45 m
+    const bool is_below_top = (hit.height_m + radius_m) * 1.1 * 1.1 + 0.5 <= height_m;
     const bool is_within_mel = hit.ke_translational_J * 1.1 * 1.1 * 1.1 * 1.1 * 1.1 * 1.2 <= mel_kJ * 1000;
     caught += is_below_top && is_within_mel ? 1 : 0;
     above += is_below_top ? 0 : 1;

@@ -1,10 +1,16 @@
-// Two lines one behind the other, ranked in one run with collectors, are what a run with the first one built shows.
+// Two lines one behind the other, ranked in one run with collectors, are what a run with the first one built shows. A
+// point passes above a fence that is built if its lowest point does, and a kit must cover its top: a kit catches what a
+// fence stops that is the block's diameter lower.
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -62,14 +68,14 @@ std::string upper(const std::string& kind, double height_m, const std::string& m
 }
 
 constexpr double height_m = 1.5;
+/// Of the tutorial's blocks of 1 t.
+const double diameter_m = 2 * std::cbrt(3 * 1000 / (4 * std::numbers::pi * 2700));
 
-/// The pair's only row, with kits of 1.5 m and this energy on both lines.
+/// The pair's only row, with kits on both lines that are a diameter higher than the fence, and of this energy.
 Row pair_with(const Workplace& work, const std::string& energy_kJ) {
   const std::string design =
-      "[design]\nlines = [\"Upper\", \"Lower\"]\npairs = true\nstandard = \"none\"\nenergy = \"total\"\nheights_m = "
-      "[1.5]\n"
-      "energies_kJ = [" +
-      energy_kJ + "]\n";
+      "[design]\nlines = [\"Upper\", \"Lower\"]\npairs = true\nstandard = \"none\"\nenergy = \"total\"\nheights_m = [" +
+      fmt::format("{}", height_m + diameter_m) + "]\nenergies_kJ = [" + energy_kJ + "]\n";
   const std::string project = slope_with(work, "collectors.toml", upper("collector", 500, "") + lower + design);
   const Said said = talus_says("run -q " + project + " --rocks 600 -o " + (work / "collectors").string());
   EXPECT_EQ(said.exit_code, 0) << said.text;

@@ -28,9 +28,9 @@ TEST(TalusRun, WritesEveryDocumentedFile) {
   EXPECT_EQ(place.read("out/paths.csv").substr(0, 133),
             "rock,event,state,time_s,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,ke_translational_J,"
             "ke_rotational_J,pe_J\n0,0,proje");
-  EXPECT_EQ(place.read("out/barriers.csv").substr(0, 142),
+  EXPECT_EQ(place.read("out/barriers.csv").substr(0, 155),
             "barrier,rock,time_s,x_m,y_m,z_m,impact_height_m,vx_m_s,vy_m_s,vz_m_s,angle_deg,ke_translational_J,"
-            "ke_rotational_J,ke_total_J,outcome,ensemble\n");
+            "ke_rotational_J,ke_total_J,outcome,ensemble,top_height_m\n");
   EXPECT_NE(place.read("out/report.html").find("Tutorial 1, section"), std::string::npos);
   const auto summary = nlohmann::json::parse(place.read("out/summary.json"));
   EXPECT_EQ(summary["rocks"]["done"], 50);

@@ -51,8 +51,8 @@ height_m = 5
   const double needed = needed_maximum_energy(factors, energy_to_check(factors, 0, 0, velocity));
   states(fmt::format("{:.2f} kJ |", needed / factors.capacity / 1000));
   states(fmt::format("{:.2f} kJ: class {} |", needed / 1000, needed_class(factors, needed)));
-  states(fmt::format("{:.3f} m |", height * factors.height));
-  states(fmt::format("{:.3f} m |", needed_height(factors, height, radius)));
+  states(fmt::format("{:.3f} m |", (height - radius) * factors.height));
+  states(fmt::format("{:.3f} m |", needed_height(factors, height - 2 * radius, radius)));
   const double net = *needed_clearance(factors, 4.2);
   states(fmt::format("{:.3f} m |", net));
   states(fmt::format("{}; at most {:.3f} m in the test |", net <= clearance ? "passes" : "fails",

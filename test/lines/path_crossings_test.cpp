@@ -77,9 +77,11 @@ void expect_crossings_of_the_run(const std::string& text, double tolerance, bool
         EXPECT_EQ(a.motion.spin, b.motion.spin) << "rock " << rock;
         EXPECT_EQ(a.motion.time, b.motion.time) << "rock " << rock;
         EXPECT_EQ(a.height, b.height) << "rock " << rock;
+        EXPECT_EQ(a.lowest, b.lowest) << "rock " << rock;
         EXPECT_EQ(a.station, b.station) << "rock " << rock;
       }
       EXPECT_NEAR(a.height, b.height, tolerance) << "rock " << rock;
+      EXPECT_NEAR(a.lowest, b.lowest, tolerance) << "rock " << rock;
       EXPECT_NEAR(a.station, b.station, tolerance) << "rock " << rock;
       EXPECT_NEAR(a.motion.time, b.motion.time, tolerance) << "rock " << rock;
       EXPECT_LE((a.motion.position - b.motion.position).norm(), tolerance) << "rock " << rock;
@@ -90,6 +92,7 @@ void expect_crossings_of_the_run(const std::string& text, double tolerance, bool
       const PassedAbove &a = found.passed_above[k], &b = logged.passed_above[k];
       EXPECT_EQ(a.barrier.index, b.barrier.index);
       EXPECT_NEAR(a.clearance, b.clearance, tolerance);
+      EXPECT_NEAR(a.lowest, b.lowest, tolerance);
       EXPECT_LE((a.motion.velocity - b.motion.velocity).norm(), tolerance);
     }
   }

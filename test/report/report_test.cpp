@@ -156,8 +156,8 @@ TEST(Report, ShowsNamesAsTextAndNeverAsMarkup) {
 TEST(Report, AcceptsNamesThatAreNotUtf8OrLookLikePlaceholders) {
   const sample_run::Folder folder("report");
   sample_run::write(folder, "{{script}}");
-  folder.write("barriers.csv",
-               sample_run::barriers_head + "Fence \xff,1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,stopped,\n");
+  folder.write("barriers.csv", sample_run::barriers_head +
+                                   "Fence \xff,1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766,60766,stopped,,1.641\n");
   const std::string page = page_of(folder);
   EXPECT_THAT(page, HasSubstr("<title>{{script}} ·"));
   EXPECT_EQ(data_in(page).at("runs").at(0).at("hits").at("rows").at(0).at(0), "Fence \xEF\xBF\xBD");

@@ -1,6 +1,7 @@
 #pragma once
 // Rocks that cross lines as a test says, and the design that follows from them.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace talus::test {
 
-/// In the direction of x, with a rotational energy of a tenth of the translational one.
+/// In the direction of x, with a rotational energy of a tenth of the translational one. `height`: of the block's top.
 struct Crosses {
   std::uint32_t barrier;
   double time, velocity, height, station;
@@ -28,13 +29,15 @@ inline Seen crossing_rock(const std::vector<Crosses>& crossings) {
   for (const Crosses& crossing : crossings) {
     Motion motion;
     motion.time = crossing.time;
+    const double lowest = std::max(crossing.height - 2 * seen.record.body.radius, 0.0);
     motion.velocity = crossing.velocity * Vec3(0.6, 0, -0.8);
     motion.spin = Vec3(0, crossing.velocity * std::sqrt(0.1 * 200 / 8), 0);
     if (crossing.above) {
-      seen.log.passed_above.push_back({BarrierId{crossing.barrier}, 1, motion, crossing.height, crossing.station});
+      seen.log.passed_above.push_back({BarrierId{crossing.barrier}, 1, motion, crossing.station, lowest});
     } else {
-      BarrierHit hit{BarrierId{crossing.barrier}, motion, crossing.height};
+      BarrierHit hit{BarrierId{crossing.barrier}, motion, lowest};
       hit.station = crossing.station;
+      hit.lowest = lowest;
       seen.log.hits.push_back(hit);
     }
   }

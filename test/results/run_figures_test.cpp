@@ -11,8 +11,8 @@ namespace {
 TEST(RunFigure, HasAText) {
   EXPECT_EQ((RunFigure{FigureOf::runout, 95}).text(), "95th percentile of the runout on plan");
   EXPECT_EQ((RunFigure{FigureOf::energy, 99.5}).text(), "99.5th percentile of the total kinetic energy at the line");
-  EXPECT_EQ((RunFigure{FigureOf::height, 1}).text(), "1st percentile of the height at the line");
-  EXPECT_EQ((RunFigure{FigureOf::height, 12}).text(), "12th percentile of the height at the line");
+  EXPECT_EQ((RunFigure{FigureOf::height, 1}).text(), "1st percentile of the height of the block's top at the line");
+  EXPECT_EQ((RunFigure{FigureOf::height, 12}).text(), "12th percentile of the height of the block's top at the line");
   EXPECT_EQ((RunFigure{FigureOf::share}).text(), "share of rocks that reach the line");
 }
 

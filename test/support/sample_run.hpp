@@ -53,7 +53,7 @@ inline const std::string paths_head =
     "ke_rotational_J,pe_J\n";
 inline const std::string barriers_head =
     "barrier,rock,time_s,x_m,y_m,z_m,impact_height_m,vx_m_s,vy_m_s,vz_m_s,angle_deg,ke_translational_J,ke_rotational_J,"
-    "ke_total_J,outcome,ensemble\n";
+    "ke_total_J,outcome,ensemble,top_height_m\n";
 
 inline std::string endpoint_row(std::uint64_t rock, double x_m = 5) {
   return std::to_string(rock) + ",seeder 1," + std::to_string(x_m) + ",0,-12.2," + std::to_string(x_m - 0.5) +
@@ -135,7 +135,7 @@ inline void write(const Folder& folder, const std::string& name = "Tutorial 1") 
   folder.write("endpoints.csv", endpoints_head + endpoint_row(0) + endpoint_row(1, 5.25));
   folder.write("paths.csv", paths_head + path_rows(0) + path_rows(1));
   folder.write("barriers.csv",
-               barriers_head + "Fence,1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766.13,60766.13,stopped,\n");
+               barriers_head + "Fence,1,1.9,4.5,0,-11.45,0.75,3,0,0,12.5,54000,6766.13,60766.13,stopped,,1.641\n");
 }
 
 }  // namespace talus::sample_run

@@ -37,7 +37,7 @@ TEST(Flying, EndsOnTheGroundAtTheTimeOfTheParabola) {
   EXPECT_NEAR(rock->motion.position.x(), 10 + 3 * time, 20 * rounding);
   EXPECT_NEAR(rock->motion.velocity.x(), 0.8 * 3, 3 * rounding);
   EXPECT_NEAR(rock->motion.velocity.z(), 0.5 * speed, speed * rounding);
-  EXPECT_NEAR(rock->outcome.max_bounce, 5, 5 * rounding);
+  EXPECT_NEAR(rock->max_height, 5, 5 * rounding);
 }
 
 TEST(Flying, EndsOnAFacetWithoutNormalRestitution) {

@@ -344,6 +344,7 @@ Json figures_json(const DesignPlan& plan, const DesignFigures& figures) {
           {"percentiles", std::move(percentiles)},
           {"needs", demand_json(figures.demand)},
           {"needs_at_upper_end", demand_json(figures.demand_at_upper_end)},
+          {"largest_block_m", optional_json(figures.largest_block)},
           {"lateral", optional_json(figures.lateral)},
           {"clearance_m", optional_json(figures.clearance)},
           {"most_elongation_m", optional_json(figures.most_elongation)}};
@@ -364,7 +365,7 @@ std::string limit_text(const DesignPlan& plan, const KitChoice& kit) {
     case KitLimit::ends:
       return fmt::format("{} pass beyond the ends of the line: lengthen it", of_all(kit.beside));
     case KitLimit::height:
-      return fmt::format("{} pass above {:g} m: give {}", of_all(kit.above), kit.height,
+      return fmt::format("{} reach above {:g} m: give {}", of_all(kit.above), kit.height,
                          kit.kit ? "higher kits" : "greater heights_m");
     case KitLimit::energy:
       if (kit.kit) {

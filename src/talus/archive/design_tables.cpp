@@ -57,6 +57,7 @@ DesignRow row_of(const DesignPlan& plan, const DesignLine& line, std::string sec
     row.needs_high_class = class_of(demand->kit_class);
     row.needs_high_height_m = demand->height;
   }
+  row.largest_block_m = figures.largest_block;
   row.lateral = figures.lateral;
   row.clearance_m = figures.clearance;
   row.most_elongation_m = figures.most_elongation;

@@ -25,7 +25,7 @@ inline constexpr std::array<DesignQuantity, shown_quantity_count> design_quantit
     {{"ke_translational", "J", "J", "translational kinetic energy"},
      {"ke_total", "J", "J", "total kinetic energy"},
      {"velocity", "m_s", "m/s", "velocity"},
-     {"height", "m", "m", "height at the line"}}};
+     {"height", "m", "m", "height of the block's top above the foot, along the face"}}};
 
 /// "ke_total_J", in summary.json.
 [[nodiscard]] std::string key_of(const DesignQuantity& quantity);
@@ -46,7 +46,7 @@ struct DesignRow {
   std::optional<std::uint64_t> needs_class{};
   std::optional<double> needs_height_m{}, needs_high_mel_kJ{};
   std::optional<std::uint64_t> needs_high_class{};
-  std::optional<double> needs_high_height_m{}, lateral{}, clearance_m{}, most_elongation_m{};
+  std::optional<double> needs_high_height_m{}, largest_block_m{}, lateral{}, clearance_m{}, most_elongation_m{};
 
   static constexpr auto columns() {
     using R = DesignRow;
@@ -63,7 +63,8 @@ struct DesignRow {
         quantity("needs_mel_kJ", "kJ", "maximum energy level that the check asks for, by `design_percentile`",
                  &R::needs_mel_kJ),
         quantity("needs_class", "", "energy class that it asks for", &R::needs_class),
-        quantity("needs_height_m", "m", "nominal height that it asks for", &R::needs_height_m),
+        quantity("needs_height_m", "m", "nominal height that it asks for: at least that of the block's top",
+                 &R::needs_height_m),
         quantity("needs_high_mel_kJ", "kJ", "the same by the upper ends of the confidence intervals",
                  &R::needs_high_mel_kJ),
         quantity("needs_high_class", "", "the same", &R::needs_high_class),
@@ -72,7 +73,8 @@ struct DesignRow {
                  &R::lateral),
         quantity("clearance_m", "m", "distance on plan to what is protected, D_A", &R::clearance_m),
         quantity("most_elongation_m", "m", "elongation in its test that a kit may have there at most, D_A / k_d",
-                 &R::most_elongation_m));
+                 &R::most_elongation_m),
+        quantity("largest_block_m", "m", "diameter of the largest rock that crosses it", &R::largest_block_m));
   }
   [[nodiscard]] static std::vector<ColumnText> family_texts();
 };
@@ -116,7 +118,7 @@ struct RankingRow {
         quantity("caught_share", "", "their share", &R::caught_share),
         quantity("caught_share_low", "", "lower end of its confidence interval", &R::caught_share_low),
         quantity("caught_share_high", "", "upper end of its confidence interval", &R::caught_share_high),
-        quantity("above", "", "rocks that are not caught because they are too high", &R::above),
+        quantity("above", "", "rocks that are not caught because their tops are too high", &R::above),
         quantity("through", "", "because they have too much energy", &R::through),
         quantity("beside", "", "because they are never at the line, or at its free ends", &R::beside),
         word("limit",
@@ -129,7 +131,8 @@ struct RankingRow {
                  &R::clearance_m),
         quantity("residual_height_m", "m", "height that remains at least after an impact at its MEL",
                  &R::residual_height_m),
-        quantity("below_residual_share", "", "share of the rocks that are below that height, whatever their energy",
+        quantity("below_residual_share", "",
+                 "share of the rocks that pass the check with that height, whatever their energy",
                  &R::below_residual_share));
   }
 };

@@ -45,7 +45,7 @@ void FigureCounts::add(const TableReader<HitRow>& row) {
   const auto rock = row.get<&R::rock>();
   const std::string_view line = row.get<&R::barrier>();
   const ArrivalValues values{row.get<&R::ke_total_J>(), Vec3(row.get<&R::velocity_m_s>().data()).norm(),
-                             row.get<&R::impact_height_m>()};
+                             row.get<&R::top_height_m>()};
   if (convergence_) convergence_->add_arrival(rock, line, values);
   if (uncertainty_) uncertainty_->add_arrival(rock, line, values);
 }

@@ -6,6 +6,7 @@
 #include "talus/archive/rows_of_rock.hpp"
 #include "talus/results/summary.hpp"
 #include "talus/rocks/energy.hpp"
+#include "talus/rocks/heights.hpp"
 
 namespace talus {
 
@@ -174,6 +175,7 @@ void fill(HitRow& row, const TableContext& context, const RockRecord& record, co
   row.ke_total_J = row.ke_translational_J + row.ke_rotational_J;
   row.outcome = hit.outcome;
   row.ensemble = ensemble_in(context, record);
+  row.top_height_m = top_over(hit.lowest, record.body.radius);
 }
 
 }  // namespace talus

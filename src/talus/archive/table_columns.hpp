@@ -82,8 +82,7 @@ struct EndpointRow {
         quantity("radius_m", "m", "radius of the equivalent sphere", &R::radius_m),
         quantity("max_ke_J", "J", "maximum total kinetic energy: translational and rotational", &R::max_ke_J),
         quantity("max_bounce_m", "m",
-                 "maximum bounce height: of the centre above the ground straight below it, in flight, and for a sphere "
-                 "also on the ground",
+                 "maximum bounce height: of the block's lowest point above the ground straight below it",
                  &R::max_bounce_m),
         key("ensemble", ensemble_meaning, &R::ensemble));
   }
@@ -183,6 +182,7 @@ struct HitRow {
   double ke_translational_J = 0, ke_rotational_J = 0, ke_total_J = 0;
   BarrierOutcome outcome = BarrierOutcome::passed;
   std::optional<std::uint64_t> ensemble{};
+  double top_height_m = 0;
 
   static constexpr auto columns() {
     using R = HitRow;
@@ -203,7 +203,10 @@ struct HitRow {
         quantity("ke_translational_J", "J", "translational kinetic energy", &R::ke_translational_J),
         quantity("ke_rotational_J", "J", "rotational kinetic energy", &R::ke_rotational_J),
         quantity("ke_total_J", "J", "total kinetic energy", &R::ke_total_J),
-        word("outcome", "outcome of the hit", &R::outcome), key("ensemble", ensemble_meaning, &R::ensemble));
+        word("outcome", "outcome of the hit", &R::outcome), key("ensemble", ensemble_meaning, &R::ensemble),
+        quantity("top_height_m", "m",
+                 "height of the block's top above the foot, along the face: what a fence must have to cover it",
+                 &R::top_height_m));
   }
 };
 

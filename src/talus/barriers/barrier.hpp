@@ -117,6 +117,7 @@ struct BarrierHit {
   double angle = 0;   // between the velocity and the face's normal, positive towards the foot [rad]
   BarrierOutcome outcome = BarrierOutcome::passed;
   double station = 0;  // position along the line, on plan [m]
+  double lowest = 0;   // of the block's lowest point above the foot, along the face [m]
 };
 
 /// What the barrier does to the rock, and how the rock leaves: unchanged if it passes, nullopt if it stops.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "talus/rocks/heights.hpp"
+
 namespace talus {
 
 std::optional<int> kit_class_of(double maximum_energy) {
@@ -42,9 +44,9 @@ double needed_maximum_energy(const CheckFactors& factors, double energy) {
   return design * factors.capacity * (factors.level == KitLevel::service ? service_share : 1);
 }
 
-double needed_height(const CheckFactors& factors, double height, double radius) {
-  const double clearance = factors.clears_half_the_block ? std::max(factors.clearance, radius) : factors.clearance;
-  return height * factors.height + clearance;
+double needed_height(const CheckFactors& factors, double lowest, double radius) {
+  if (!factors.clears_half_the_block) return top_over(lowest, radius) * factors.height + factors.clearance;
+  return centre_over(lowest, radius) * factors.height + std::max(factors.clearance, radius);
 }
 
 std::optional<double> needed_clearance(const CheckFactors& factors, double elongation) {

@@ -4,7 +4,8 @@
 // v, h of velocity and height, and k_... the products of the factors on each quantity:
 //   E_d = m k_m (v k_v)^2 / 2 k_e     design energy; without a design block m v^2 / 2 is the percentile of the energies
 //   E_d <= E_kit / k_c                the kit's energy is its MEL or its SEL
-//   H_d = h k_h,  H_kit >= H_d + f    design height, f the upper clearance
+//   H_d = h k_h,  H_kit >= H_d + f    design height, f the upper clearance; h is the height of the block's centre where
+//                                     f holds its upper half, else of its top: the block is never counted twice
 //   D_d = D_kit k_d,  D_A >= D_d      design elongation against the distance to what is protected
 // UNI 11211-4: k_v = k_h = gamma_Tr gamma_Dp, k_m = gamma_VolF1 gamma_gamma, k_e = gamma_R, k_c = gamma_E. ONR 24810
 // has k_e and k_h apart. The classes are described by D. Peila and C. Ronco, "Design of rockfall net fences and the new
@@ -39,7 +40,7 @@ struct CheckFactors {
   double capacity = 1;                   // divides the energy of the kit
   double clearance = 0;                  // f, the minimum [m]
   std::optional<double> elongation = 1;  // on the elongation of the kit; nullopt: unknown
-  bool clears_half_the_block = false;    // f is also at least the block's radius
+  bool clears_half_the_block = false;    // f is from the block's centre, at least its radius; if false, from its top
   bool takes_total_energy = false;       // translational and rotational; if false, only translational
   KitLevel level = KitLevel::maximum;    // the energy of the kit in the check
   std::optional<double> block_mass{};    // of the design block [kg]; nullopt: each rock's own
@@ -65,7 +66,8 @@ struct CheckFactors {
 /// The largest elongation [m] that a kit may have in its test where this distance [m] on plan is free.
 [[nodiscard]] std::optional<double> most_elongation(const CheckFactors& factors, double clearance);
 
-/// The nominal height [m] that a kit needs if a rock of this radius [m] arrives at this height [m].
-[[nodiscard]] double needed_height(const CheckFactors& factors, double height, double radius);
+/// The nominal height [m] that a kit needs for a rock of this radius [m] whose lowest point arrives at this height [m]
+/// above the foot: with neutral factors that of its top.
+[[nodiscard]] double needed_height(const CheckFactors& factors, double lowest, double radius);
 
 }  // namespace talus

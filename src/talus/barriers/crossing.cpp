@@ -4,6 +4,7 @@
 #include <array>
 
 #include "talus/flight/touch.hpp"
+#include "talus/rocks/heights.hpp"
 
 namespace talus {
 
@@ -182,6 +183,7 @@ class Search {
     if (away.norm() < 0.5 * radius_) return;
     Crossing crossing = hit(barrier, panel, t, place, away.dot(panel.normal) < 0 ? -1 : 1);
     crossing.normal = away.normalized();
+    crossing.lowest = lowest_point(place_on(panel, path_.at(t)).up, radius_);
     offer(first_barrier_, crossing);
   }
   [[nodiscard]] double time_of_first() const { return first_barrier_ ? first_barrier_->t : t_max_; }
@@ -237,13 +239,15 @@ class Search {
     offer(first_collector_, crossing);
   }
 
-  /// `side`: 1 from the side of the panel's normal, -1 from behind.
-  [[nodiscard]] static Crossing hit(BarrierId barrier, const Panel& panel, double t, const Place& place, double side) {
+  /// `place`: as high along the face as the rock's place; `side`: 1 from the side of the panel's normal, -1 from
+  /// behind.
+  [[nodiscard]] Crossing hit(BarrierId barrier, const Panel& panel, double t, const Place& place, double side) const {
     const double share = std::clamp(place.along / panel.length, 0.0, 1.0);
     Crossing crossing;
     crossing.t = t;
     crossing.barrier = barrier;
     crossing.height = std::max(place.up, 0.0);
+    crossing.lowest = lowest_point(place.up, radius_);
     crossing.normal = crossing.across = side * panel.normal;
     crossing.up = panel.up;
     crossing.station = panel.station + share * panel.plan_length;

@@ -22,6 +22,7 @@ struct Crossing {
   double t = 0;
   BarrierId barrier;
   double height = 0;           // along the face [m]: of the contact; at a collector, or above, of the centre
+  double lowest = 0;           // of the block's lowest point above the foot, along the face (rocks/heights.hpp) [m]
   double clearance = 0;        // above: of the rock's underside over the panel's top [m]
   double way_over = 0;         // above: the distance on plan to beyond a panel that leans against the rock [m]
   Vec3 normal = Vec3::Zero();  // unit, from the contact to the rock's centre; above: level

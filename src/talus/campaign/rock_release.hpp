@@ -32,7 +32,7 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
                          : seeder.direction                     ? *seeder.direction
                                                                 : fall_line(surface, place);
   Release release = release_at(seeder, place, direction, draws, start.given);
-  const double reach = model.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0;
+  const double reach = reach_of(model.laws.model, release.rock);
   const ClearPlace clear = clear_place(surface, place, reach);
   if (clear.fit != Fit::as_given) {
     release.motion.position.z() = clear.z;

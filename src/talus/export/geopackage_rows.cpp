@@ -25,7 +25,7 @@ std::vector<ColumnText> DesignLayerRow::family_texts() {
                      fmt::format("{}: each of `percentiles`", quantity.meaning)});
   texts.push_back({"needs_energy_J", "J", "maximum energy level that the check asks for"});
   texts.push_back({"needs_class", "", "energy class that it asks for"});
-  texts.push_back({"needs_height_m", "m", "nominal height that it asks for"});
+  texts.push_back({"needs_height_m", "m", "nominal height that it asks for: at least that of the block's top"});
   return texts;
 }
 

@@ -41,7 +41,7 @@ struct HitQuantity {
 inline constexpr std::array<HitQuantity, 4> hit_quantities{
     {{"ke_total", "J", "J", "total kinetic energy of the hits"},
      {"ke_translational", "J", "J", "translational kinetic energy of the hits"},
-     {"impact_height", "m", "m", "impact height"},
+     {"impact_height", "m", "m", "impact height of the contact"},
      {"velocity", "m_s", "m/s", "velocity of the hits"}}};
 
 /// Of the layer `barriers`: a barrier or collector.

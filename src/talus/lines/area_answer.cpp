@@ -139,7 +139,8 @@ std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area,
   const bool is_sphere = model.laws.model == RockModel::rigid_sphere;
   const Rock& body = path.record.body;
   std::optional<RockInside> inside;
-  double height = 0, squared_velocity = 0, translational = 0, total = 0;
+  const double reach = reach_of(model.laws.model, body);
+  double height = reach, squared_velocity = 0, translational = 0, total = 0;
   for (const PathPiece& piece : path.pieces) {
     if (!area.bounds.meet(bounds_of(piece.path, piece.duration))) continue;
     parts_inside(area, piece.path, piece.duration, parts);
@@ -161,7 +162,7 @@ std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area,
     if (!inside) inside = RockInside{.rock = path.record.rock};
     inside->stops = true;
   }
-  if (inside) inside->maxima = {translational, total, std::sqrt(squared_velocity), height, body.radius};
+  if (inside) inside->maxima = {translational, total, std::sqrt(squared_velocity), lowest_point(height, reach)};
   return inside;
 }
 

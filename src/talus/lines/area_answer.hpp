@@ -3,7 +3,7 @@
 // strong they are there at most.
 //
 // A rock is inside while its centre is, on plan, by the rule of plan_polygon.hpp. Maxima are those of the parts of its
-// path inside, exact along a flight (trajectory/piece_maxima.hpp). Height is that of the centre above the ground.
+// path inside, exact along a flight (trajectory/piece_maxima.hpp). Height is the bounce height (rocks/heights.hpp).
 // Checked by test/lines/area_answer_test.cpp.
 
 #include <array>
@@ -42,7 +42,7 @@ void parts_inside(const AskedArea& area, const Parabola& path, double duration,
 struct RockInside {
   std::uint64_t rock = 0;
   bool stops = false;       // its path ends inside
-  CrossingMaxima maxima{};  // inside
+  CrossingMaxima maxima{};  // inside, of the quantities that are shown
 };
 
 /// Nullopt if it is never inside.

@@ -90,7 +90,7 @@ std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis
   for (const std::vector<Found>& block : found) {
     for (const auto& [line, crossing] : block) {
       DesignTally::Line& tally = tallies[line].lines.front();
-      tally.sections[crossing.at.section].add(crossing.at.values);
+      tally.sections[crossing.at.section].add(crossing.at);
       tally.demands.add(crossing.at.height, crossing.at.energy);
       answers[line].crossings.push_back(crossing);
     }
@@ -124,7 +124,7 @@ std::optional<std::uint32_t> LineAnswer::worst_section() const {
 }
 
 bool stops(double height, double maximum_energy, const LineCrossing& crossing) {
-  return crossing.needed_height <= height && crossing.needed_energy <= maximum_energy;
+  return crossing.needed_height() <= height && crossing.needed_energy <= maximum_energy;
 }
 
 KitAnswer judge_kit(const LineAnswer& answer, double height, double maximum_energy) {
@@ -133,7 +133,7 @@ KitAnswer judge_kit(const LineAnswer& answer, double height, double maximum_ener
   for (const CrossingRock& crossing : answer.crossings) {
     if (stops(height, maximum_energy, crossing.at)) {
       ++stopped;
-    } else if (crossing.at.needed_height > height) {
+    } else if (crossing.at.needed_height() > height) {
       ++kit.above;
     } else {
       ++kit.through;

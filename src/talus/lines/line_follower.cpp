@@ -14,14 +14,13 @@ AskedBarriers::AskedBarriers(const Model& model, std::span<const AskedLine> line
 LineFollower::LineFollower(const Model& model, const AskedBarriers& barriers)
     : model_(model),
       asked_(barriers),
-      is_sphere_(model.laws.model == RockModel::rigid_sphere),
       section_(model.varying ? std::make_unique<OwnSection>(model, barriers.all) : nullptr),
       crossings_(section_ ? BarrierList(section_->barriers(), barriers.on_plan)
                           : BarrierList(barriers.all, barriers.on_plan)) {}
 
 const RockLog& LineFollower::follow(const RockPath& path) {
   if (section_) section_->move_for(model_, path.record.rock);
-  crossings_.begin(is_sphere_ ? path.record.body.radius : 0);
+  crossings_.begin(reach_of(model_.laws.model, path.record.body));
   for (const PathPiece& piece : path.pieces) {
     // With several lines, the last one is rarely known before the rock has ended.
     if (asked_.numbers.size() == 1 && crossings_.is_settled(BarrierId{asked_.numbers.front()}, piece.start_time)) break;

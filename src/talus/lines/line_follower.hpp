@@ -38,7 +38,6 @@ class LineFollower {
  private:
   const Model& model_;
   const AskedBarriers& asked_;
-  const bool is_sphere_;
   std::unique_ptr<OwnSection> section_;
   PathCrossings crossings_;
 };

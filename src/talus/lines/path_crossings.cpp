@@ -84,7 +84,7 @@ void PathCrossings::pass_above(const PathPiece& piece, const Crossing& crossing)
   const Motion there = motion_at(piece, crossing);
   const double time = piece.start_time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
   recent_.record_passage(crossing, time, speed > 0 ? time + (reach_ + crossing.way_over) / speed : time);
-  found_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.height, crossing.station});
+  found_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.station, crossing.lowest});
 }
 
 void PathCrossings::arrive(const PathPiece& piece, const Crossing& crossing, BarrierOutcome outcome) {
@@ -94,7 +94,7 @@ void PathCrossings::arrive(const PathPiece& piece, const Crossing& crossing, Bar
     const auto last = std::ranges::find(passed.rbegin(), passed.rend(), crossing.barrier, &PassedAbove::barrier);
     if (last != passed.rend()) passed.erase(std::next(last).base());
   }
-  found_.hits.push_back({crossing.barrier, there, crossing.height, 0, outcome, crossing.station});
+  found_.hits.push_back({crossing.barrier, there, crossing.height, 0, outcome, crossing.station, crossing.lowest});
 }
 
 /// `velocity`: with which the rock leaves the barrier that ended the last piece.

@@ -9,10 +9,9 @@ namespace talus {
 
 namespace {
 
-KitDemand demand_of(const CheckFactors& factors, double translational, double total, double velocity, double height,
-                    double radius) {
+KitDemand demand_of(const CheckFactors& factors, double translational, double total, double velocity, double height) {
   const double energy = needed_maximum_energy(factors, energy_to_check(factors, translational, total, velocity));
-  return {energy, needed_class(factors, energy), needed_height(factors, height, radius)};
+  return {energy, needed_class(factors, energy), height};
 }
 
 class Evaluation {
@@ -68,14 +67,14 @@ class Evaluation {
         figures.percentiles[q].push_back(values.estimate(percentile / 100, plan_.confidence));
       }
     }
-    const auto& [translational, total, velocity, height, radius, lateral] = design;
+    const auto& [translational, total, velocity, height, needed_height, lateral] = design;
+    figures.largest_block = tally.largest_block;
     if (plan_.lines.front().length > 0) figures.lateral = lateral.value;
-    figures.demand =
-        demand_of(plan_.factors, translational.value, total.value, velocity.value, height.value, radius.value);
+    figures.demand = demand_of(plan_.factors, translational.value, total.value, velocity.value, needed_height.value);
     // All quantities have the same number of values: either all have an upper end or none has.
     if (height.high) {
       figures.demand_at_upper_end =
-          demand_of(plan_.factors, *translational.high, *total.high, *velocity.high, *height.high, *radius.high);
+          demand_of(plan_.factors, *translational.high, *total.high, *velocity.high, *needed_height.high);
     }
     return figures;
   }

@@ -30,9 +30,10 @@ struct KitDemand {
 
 /// Figures of a section or of a whole line.
 struct DesignFigures {
-  double from = 0, to = 0;         // along the line, on plan [m]
-  std::uint64_t rocks = 0;         // that cross it
-  std::optional<RockShare> share;  // of all rocks of the run; nullopt without any
+  double from = 0, to = 0;              // along the line, on plan [m]
+  std::uint64_t rocks = 0;              // that cross it
+  std::optional<RockShare> share;       // of all rocks of the run; nullopt without any
+  std::optional<double> largest_block;  // its diameter [m]; nullopt if no rock crosses
   /// By quantity, in the order of the plan's percentiles; empty if no rock crosses.
   std::array<std::vector<Estimate>, shown_quantity_count> percentiles;
   /// From the design percentile; and from the upper ends of its confidence intervals, if they exist.

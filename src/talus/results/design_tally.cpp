@@ -1,6 +1,7 @@
 #include "talus/results/design_tally.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -15,12 +16,14 @@ constexpr const char* damaged = "the counts for the design of barriers are damag
 SectionTally::SectionTally(std::uint64_t planned_rocks)
     : sketches(crossing_quantity_count, QuantileSketch(planned_rocks)) {}
 
-void SectionTally::add(const std::array<double, crossing_quantity_count>& values) {
-  for (std::size_t k = 0; k < values.size(); ++k) sketches[k].add(values[k]);
+void SectionTally::add(const LineCrossing& crossing) {
+  for (std::size_t k = 0; k < crossing_quantity_count; ++k) sketches[k].add(crossing.values[k]);
+  largest_block = std::max(largest_block, crossing.diameter);
 }
 
 void SectionTally::merge(const SectionTally& other) {
   for (std::size_t k = 0; k < sketches.size(); ++k) sketches[k].merge(other.sketches[k]);
+  largest_block = std::max(largest_block, other.largest_block);
 }
 
 std::uint64_t KitDemands::rocks() const { return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0}); }
@@ -83,6 +86,7 @@ void DesignTally::save(ByteWriter& out) const {
     out.count(line.sections.size());
     for (const SectionTally& section : line.sections) {
       for (const QuantileSketch& sketch : section.sketches) sketch.save(out);
+      out.put(section.largest_block);
     }
     line.demands.save(out);
     out.put(line.beside);
@@ -103,6 +107,9 @@ void DesignTally::merge_saved(ByteReader& in) {
         sketch.merge_saved(in);
         expect_bytes(sketch.count() == section.rocks() && (sketch.count() == 0 || *sketch.quantile(0) >= 0), damaged);
       }
+      const auto largest_block = in.get<double>();
+      expect_bytes(std::isfinite(largest_block) && largest_block >= 0, damaged);
+      section.largest_block = std::max(section.largest_block, largest_block);
       crossings += section.rocks();
     }
     line.demands.merge_saved(in);
@@ -191,7 +198,7 @@ void DesignObserver::commit(ObserverPart& part) {
   for (std::size_t k = 0; k < tally_.lines.size(); ++k) tally_.lines[k].beside += seen.beside[k];
   for (const Part::Crossing& crossing : seen.crossings) {
     DesignTally::Line& line = tally_.lines[crossing.line];
-    line.sections[crossing.at.section].add(crossing.at.values);
+    line.sections[crossing.at.section].add(crossing.at);
     if (crossing.counts) line.demands.add(crossing.at.height, crossing.at.energy);
   }
   for (const Part::PairCrossing& crossing : seen.pair_crossings) {

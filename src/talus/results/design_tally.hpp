@@ -15,7 +15,7 @@ namespace talus {
 /// One value of each quantity per rock.
 struct SectionTally {
   explicit SectionTally(std::uint64_t planned_rocks);
-  void add(const std::array<double, crossing_quantity_count>& values);
+  void add(const LineCrossing& crossing);
   void merge(const SectionTally& other);
   [[nodiscard]] std::uint64_t rocks() const { return sketches.front().count(); }
   [[nodiscard]] const QuantileSketch& of(CrossingQuantity quantity) const {
@@ -23,6 +23,7 @@ struct SectionTally {
   }
 
   std::vector<QuantileSketch> sketches;  // in the order of the quantities
+  double largest_block = 0;              // diameter of the largest rock [m]
 };
 
 /// The kits that the rocks need: how many rocks need which of the plan's heights and energies as a minimum. The number

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "talus/rocks/heights.hpp"
+
 namespace talus {
 
 std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier) {
@@ -11,7 +13,7 @@ std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t
     for (const auto& crossing : crossings) {
       if (crossing.barrier.index != barrier) continue;
       if (!first || crossing.motion.time < first->motion->time) {
-        first = FirstCrossing{&crossing.motion, crossing.height, crossing.station};
+        first = FirstCrossing{&crossing.motion, crossing.lowest, crossing.station};
       }
     }
   };
@@ -30,15 +32,15 @@ LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const
   const double translational = 0.5 * rock.mass * velocity * velocity;
   const double total = translational + 0.5 * rock.inertia * crossing.motion->spin.squaredNorm();
   const double energy = energy_to_check(plan.factors, translational, total, velocity);
-  constexpr double by_rounding = 1e-6;  // height of a rock that rolls on the ground [m]
-  const double height = crossing.height > by_rounding ? crossing.height : 0;
-  const double radius = radius_to_check(plan.factors, rock.mass, rock.radius);
+  constexpr double by_rounding = 1e-6;  // lowest point of a rock that rolls on the ground [m]
+  const double lowest = crossing.lowest > by_rounding ? crossing.lowest : 0;
+  const double height = needed_height(plan.factors, lowest, radius_to_check(plan.factors, rock.mass, rock.radius));
   LineCrossing crosses{.section = line.section_at(crossing.station),
-                       .values = {translational, total, velocity, height, radius,
+                       .values = {translational, total, velocity, top_over(lowest, rock.radius), height,
                                   line.lateral_of(crossing.station, crossing.motion->velocity)},
-                       .needed_height = needed_height(plan.factors, height, radius),
+                       .diameter = 2 * rock.radius,
                        .needed_energy = needed_maximum_energy(plan.factors, energy)};
-  crosses.height = first_sufficient(plan.heights, crosses.needed_height);
+  crosses.height = first_sufficient(plan.heights, crosses.needed_height());
   crosses.energy = first_sufficient(plan.energies, crosses.needed_energy);
   return crosses;
 }

@@ -17,8 +17,8 @@ enum class CrossingQuantity : std::uint32_t {
   energy_translational,
   energy_total,
   velocity,
-  height,
-  radius,
+  height,         // of the top of the block (rocks/heights.hpp)
+  needed_height,  // of a kit, nominal
   lateral
 };  // [J] [m/s] [m]; lateral: metres along the line per metre across it, on plan
 inline constexpr std::size_t crossing_quantity_count = 6;
@@ -28,18 +28,20 @@ inline constexpr std::size_t shown_quantity_count = 4;
 /// A rock's first crossing of a barrier or collector: on a panel or above it, stopped there or not.
 struct FirstCrossing {
   const Motion* motion = nullptr;  // in the log
-  double height = 0, station = 0;  // above the foot, along the face; along the line on plan [m]
+  double lowest = 0, station = 0;  // of the lowest point above the foot, along the face; along the line on plan [m]
 };
 [[nodiscard]] std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier);
 
 struct LineCrossing {
   std::uint32_t section = 0;
   std::array<double, crossing_quantity_count> values{};
-  double needed_height = 0, needed_energy = 0;  // of a kit: nominal height [m], MEL [J]
+  double diameter = 0;       // of the block [m]
+  double needed_energy = 0;  // of a kit: MEL [J]
   // The first sufficient ones of the plan; their number if none is.
   std::uint32_t height = 0, energy = 0;
 
   [[nodiscard]] double of(CrossingQuantity quantity) const { return values[static_cast<std::size_t>(quantity)]; }
+  [[nodiscard]] double needed_height() const { return of(CrossingQuantity::needed_height); }
 };
 /// Index of the first of the ascending values that is at least `needed`; their number if none is.
 [[nodiscard]] std::uint32_t first_sufficient(const std::vector<double>& ascending, double needed);

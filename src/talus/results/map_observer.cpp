@@ -119,7 +119,7 @@ class MapObserver::Part : public ObserverPart {
       borders_.push_back(leave);
     });
     heights_here_.resize(stays_.size());
-    heights_(piece, borders_, heights_here_);
+    heights_(rock, piece, borders_, heights_here_);
     for (std::size_t k = 0; k < stays_.size(); ++k)
       note(cells_.at(stays_[k]), piece, rock, borders_[k], borders_[k + 1], heights_here_[k]);
     cell_ = stays_.back();
@@ -128,7 +128,7 @@ class MapObserver::Part : public ObserverPart {
   void note(MapVisit& visit, const PathPiece& piece, const Rock& rock) {
     const std::array<double, 2> ends{0, piece.duration};
     double height = 0;
-    heights_(piece, ends, {&height, 1});
+    heights_(rock, piece, ends, {&height, 1});
     note(visit, piece, rock, 0, piece.duration, height);
   }
   void note(MapVisit& visit, const PathPiece& piece, const Rock& rock, double enter, double leave, double height) {

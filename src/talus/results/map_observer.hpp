@@ -14,16 +14,17 @@
 
 namespace talus {
 
-/// The maximum bounce height [m] of each part of a piece between consecutive `borders` of its parameter
+/// The maximum bounce height [m] of a rock in each part of a piece between consecutive `borders` of its parameter
 /// (trajectory/piece_maxima.hpp). The piece is not a glide.
-using MaxHeights =
-    std::function<void(const PathPiece& piece, std::span<const double> borders, std::span<double> heights)>;
+using MaxHeights = std::function<void(const Rock& rock, const PathPiece& piece, std::span<const double> borders,
+                                      std::span<double> heights)>;
 
 template <class Surface>
 [[nodiscard]] MaxHeights max_height_over(const Surface& surface, RockModel model) {
-  return [&surface, is_sphere = model == RockModel::rigid_sphere](
-             const PathPiece& piece, std::span<const double> borders, std::span<double> heights) {
-    max_heights(surface, piece, is_sphere, borders, heights);
+  return [&surface, model](const Rock& rock, const PathPiece& piece, std::span<const double> borders,
+                           std::span<double> heights) {
+    max_heights(surface, piece, model == RockModel::rigid_sphere, borders, heights);
+    for (double& height : heights) height = lowest_point(height, reach_of(model, rock));
   };
 }
 

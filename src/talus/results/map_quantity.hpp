@@ -16,7 +16,7 @@ enum class MapQuantity : std::uint32_t {
   energy_total,          // translational and rotational [J]
   energy_translational,  // [J]
   velocity,              // [m/s]
-  bounce_height          // of the centre above the ground below it [m]
+  bounce_height          // rocks/heights.hpp [m]
 };
 inline constexpr std::size_t map_quantity_count = 4;
 

@@ -33,7 +33,7 @@ inline constexpr std::array<FigureQuantity, 7> figure_quantities{
      {FigureOf::share, "share", "", "share of rocks that reach the line", true},
      {FigureOf::energy, "energy", "J", "total kinetic energy at the line", true},
      {FigureOf::velocity, "velocity", "m/s", "velocity at the line", true},
-     {FigureOf::height, "height", "m", "height at the line", true}}};
+     {FigureOf::height, "height", "m", "height of the block's top at the line", true}}};
 [[nodiscard]] constexpr const FigureQuantity& quantity_of(FigureOf of) {
   return figure_quantities[static_cast<std::size_t>(of)];
 }
@@ -57,14 +57,14 @@ struct RunFigure {
 struct RockValues {
   double runout = 0;      // on plan [m]
   double max_energy = 0;  // total kinetic [J]
-  double max_bounce = 0;  // [m]
+  double max_bounce = 0;  // rocks/heights.hpp [m]
 };
 
 /// A rock's first arrival at a line.
 struct ArrivalValues {
   double energy = 0;    // total kinetic [J]
   double velocity = 0;  // [m/s]
-  double height = 0;    // above the foot, along the face [m]
+  double height = 0;    // of the top of the block above the foot, along the face [m]
 };
 
 /// The values of a set of rocks, in any order.

@@ -52,7 +52,7 @@ std::vector<std::optional<double>> SiteResults::values(const study::SetOutcome& 
     const std::size_t line = line_of_barrier_[crossing.barrier.index];
     if (line == none || last[line] == crossing.rock) continue;
     last[line] = crossing.rock;
-    tally.add(line, {crossing.translational_energy + crossing.rotational_energy, crossing.speed, crossing.height});
+    tally.add(line, {crossing.translational_energy + crossing.rotational_energy, crossing.speed, crossing.top});
   }
   std::vector<std::optional<double>> values;
   for (const RunFigure& figure : figures_) values.push_back(tally.value(figure));

@@ -70,7 +70,7 @@ Table study_result() {
            .slot = slot_of<StudyResult>(&StudyResult::quantity),
            .required = true,
            .meaning = "`runout` on plan, `max_energy` or `max_bounce` of each rock; at a line: `share` of the rocks "
-                      "that reach it, `energy`, `velocity` or `height` at their first arrival.",
+                      "that reach it, `energy`, `velocity` or `height` (of the block's top) at their first arrival.",
            .source = "Talus"},
           {.key = "percentile",
            .slot = slot_of<StudyResult>(&StudyResult::percentile),

@@ -13,6 +13,7 @@
 #include "talus/model/model.hpp"
 #include "talus/model/samples.hpp"
 #include "talus/rocks/energy.hpp"
+#include "talus/rocks/heights.hpp"
 
 namespace talus::study {
 /// Simulates one set after the other in one thread.
@@ -48,7 +49,8 @@ class PreparedSite::Worker {
                             path.max_bounce});
     for (const BarrierHit& hit : log.hits) {
       outcome.crossings.push_back({record.rock, hit.barrier, global(hit.motion.position), hit.height,
-                                   hit.motion.velocity.norm(), translational_energy(record.body, hit.motion),
+                                   top_over(hit.lowest, record.body.radius), hit.motion.velocity.norm(),
+                                   translational_energy(record.body, hit.motion),
                                    rotational_energy(record.body, hit.motion), hit.station, hit.outcome});
     }
     for (const Vec3& impact : log.impact_places) outcome.marks.push_back({record.rock, global(impact)});

@@ -27,7 +27,7 @@ struct RockEnd {
   double mass = 0, radius = 0;    // [kg], [m]
   double time = 0;                // from release to end [s]
   double max_kinetic_energy = 0;  // [J]
-  double max_bounce = 0;          // [m]
+  double max_bounce = 0;          // rocks/heights.hpp [m]
 
   /// On plan [m].
   [[nodiscard]] double runout() const { return (end - release).head<2>().norm(); }
@@ -38,7 +38,8 @@ struct Crossing {
   std::uint64_t rock = 0;
   BarrierId barrier;
   Vec3 position = Vec3::Zero();                            // [m]
-  double height = 0;                                       // above the foot, along the face [m]
+  double height = 0;                                       // of the contact above the foot, along the face [m]
+  double top = 0;                                          // of the top of the block, likewise [m]
   double speed = 0;                                        // [m/s]
   double translational_energy = 0, rotational_energy = 0;  // [J]
   double station = 0;                                      // along the line, on plan [m]

@@ -32,7 +32,7 @@ template <class Surface>
 void pass_above(MovingRock<Surface>& rock, const Crossing& crossing, const Motion& there) {
   const double time = rock.motion.time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
   rock.crossed.record_passage(crossing, time, speed > 0 ? time + (rock.reach + crossing.way_over) / speed : time);
-  rock.log.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.height, crossing.station});
+  rock.log.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.station, crossing.lowest});
 }
 
 /// A rock that meets a barrier while it is over it has not passed above after all.
@@ -103,7 +103,8 @@ template <class Surface>
   const double speed = motion.velocity.norm();
   const double across = speed > 0 ? std::clamp(-motion.velocity.dot(crossing.across) / speed, -1.0, 1.0) : 1;
   const double angle = std::copysign(std::acos(across), -motion.velocity.dot(crossing.up));
-  rock.log.hits.push_back({crossing.barrier, motion, crossing.height, angle, response.outcome, crossing.station});
+  rock.log.hits.push_back(
+      {crossing.barrier, motion, crossing.height, angle, response.outcome, crossing.station, crossing.lowest});
   if (response.outcome == BarrierOutcome::rebounded) {
     rock.crossed.record_rebound(crossing, path_time, response.leaving->velocity);
   } else if (response.leaving) {

@@ -11,8 +11,7 @@ struct FlightEnd {
   double t;  // [s]
   std::optional<Contact> contact;
   std::optional<Exit> exit;
-  // Maximum bounce height of the rock until then, in this flight or before [m], if the search for the contact also
-  // gives it.
+  // MovingRock::max_height until then, in this flight or before [m], if the search for the contact also gives it.
   std::optional<double> max_height = {};
 };
 
@@ -21,7 +20,7 @@ template <class Surface>
 [[nodiscard]] FlightEnd first_contact(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
                                       const SupportPlanes& left) {
   if constexpr (requires { rock.surface.flight(path, rock.reach, t_max, left, 0.0); }) {
-    const auto [contact, max_height] = rock.surface.flight(path, rock.reach, t_max, left, rock.outcome.max_bounce);
+    const auto [contact, max_height] = rock.surface.flight(path, rock.reach, t_max, left, rock.max_height);
     if (contact) return {contact->t, contact, {}, max_height};
     return {t_max, {}, {}};
   } else {
@@ -49,7 +48,6 @@ template <class Surface>
 [[nodiscard]] std::optional<RockState> fly_along(MovingRock<Surface>& rock, const Flying& state, const Parabola& path,
                                                  const LinearDrag& drag, const FlightEnd& flight_end) {
   Motion& motion = rock.motion;
-  double& max_bounce = rock.outcome.max_bounce;
   const double start = motion.time;
   // Barriers record times by the parabola's parameter.
   const auto retime = [&] {
@@ -69,15 +67,15 @@ template <class Surface>
     }
     retime();
     rock.log.flight(path, crossing->t, before, drag);
-    max_bounce = max_height_of_flight(rock.surface, path, 0, crossing->t, max_bounce);
+    rock.max_height = max_height_of_flight(rock.surface, path, 0, crossing->t, rock.max_height);
     if (then == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
     rock.log_row(PathState::projectile);
     return Flying{};
   }
 
   retime();
-  max_bounce = flight_end.max_height ? *flight_end.max_height
-                                     : max_height_of_flight(rock.surface, path, 0, flight_end.t, max_bounce);
+  rock.max_height = flight_end.max_height ? *flight_end.max_height
+                                          : max_height_of_flight(rock.surface, path, 0, flight_end.t, rock.max_height);
   rock.log.flight(path, flight_end.t, motion, drag);
   rock.advance(path, drag, flight_end.t);
   if (flight_end.contact) return strike(rock, *flight_end.contact, state.ground);

@@ -84,11 +84,12 @@ class MovingRock {
         impact_law(scene.laws.impact),
         log(rock_log),
         rock(release.rock),
-        reach(scene.laws.model == RockModel::rigid_sphere ? release.rock.radius : 0),
+        reach(reach_of(scene.laws.model, release.rock)),
         leaving_speed(std::max(laws.normal_velocity_cutoff, std::sqrt(2 * laws.gravity.norm() * contact_slack))),
         has_forest(scene.ground.has_forest()),
         has_bumps(scene.laws.roughness == RoughnessLaw::faces && scene.ground.is_rough()),
         motion(release.motion),
+        max_height(reach),
         progress(reach),
         draws_(draws) {}
 
@@ -107,6 +108,7 @@ class MovingRock {
   const bool has_forest, has_bumps;
   Motion motion;
   RockOutcome outcome;
+  double max_height;  // so far, of its place above the ground below it [m]
   RecentCrossings crossed;
   LastContact last_contact;
   Progress progress;
@@ -213,7 +215,7 @@ class MovingRock {
     if (has_bumps) cover(facet, arc_length(leg, t));
     log.leg(leg, t, before, arrived, facet);
     if (reach == 0) return;
-    outcome.max_bounce = max_height_of_leg(surface, outline_of(facet), leg, t, 0, t, outcome.max_bounce);
+    max_height = max_height_of_leg(surface, outline_of(facet), leg, t, 0, t, max_height);
   }
 
  private:

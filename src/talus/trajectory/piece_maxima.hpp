@@ -1,11 +1,11 @@
 #pragma once
-// Maximum velocity, energy and bounce height over a part of one piece of a path. The maxima of a run, its envelopes and
-// its maps all come from here, so that they agree.
+// Maximum velocity, energy and height over a part of one piece of a path. The maxima of a run, its envelopes and its
+// maps all come from here, so that they agree.
 //
-// Bounce height is the vertical height of the rock's centre above the ground below it: in flight, and also of a sphere
-// on the ground; of a lumped mass on the ground it is 0. It is exact along a flight. A leg on the ground is taken as
-// straight, which it is unless a sphere curves on a facet; then its ends are exact, and the ground below its chord is
-// the same plane.
+// Heights are those of the rock's place straight above the ground below it: in flight, and also of a sphere on the
+// ground; of a lumped mass on the ground it is 0. The bounce height is lowest_point() of the maximum
+// (rocks/heights.hpp). Heights are exact along a flight. A leg on the ground is taken as straight, which it is unless a
+// sphere curves on a facet; then its ends are exact, and the ground below its chord is the same plane.
 //
 // Checked by test/trajectory/piece_maxima_test.cpp.
 
@@ -38,7 +38,7 @@ struct MaxMotion {
                    half_mass * end + half_inertia * piece.spin_at(to).squaredNorm())};
 }
 
-/// The maximum bounce height [m] of a flight, its parameter from `from` to `to`, or `known` if that is larger.
+/// The maximum height [m] of a flight, its parameter from `from` to `to`, or `known` if that is larger.
 template <class Surface>
 [[nodiscard]] double max_height_of_flight(const Surface& surface, const Parabola& path, double from, double to,
                                           double known) {
@@ -58,9 +58,9 @@ template <class Surface>
   return height;
 }
 
-/// The maximum bounce height of a sphere on a leg of `duration`. `facet`: one that may be below it. Facets are convex:
-/// if no ground overhangs and a straight path is over a facet at both ends, it is over that facet all the way, and
-/// highest at an end.
+/// The maximum height of a sphere's centre on a leg of `duration`. `facet`: one that may be below it. Facets are
+/// convex: if no ground overhangs and a straight path is over a facet at both ends, it is over that facet all the way,
+/// and highest at an end.
 template <class Surface>
 [[nodiscard]] double max_height_of_leg(const Surface& surface, const Outline& facet, const Parabola& leg,
                                        double duration, double from, double to, double known) {
@@ -78,7 +78,7 @@ template <class Surface>
   return surface.max_height({start, chord, Vec3::Zero()}, last - first, known);
 }
 
-/// The maximum bounce height on any piece except a glide.
+/// The maximum height on any piece except a glide.
 template <class Surface>
 [[nodiscard]] double max_height(const Surface& surface, const PathPiece& piece, bool is_sphere, double from, double to,
                                 double known) {
@@ -87,7 +87,7 @@ template <class Surface>
   return max_height_of_leg(surface, surface.outline(piece.facet), piece.path, piece.duration, from, to, known);
 }
 
-/// The maximum bounce height in each part of a piece between two of `borders`, which are values of its parameter in
+/// The maximum height in each part of a piece between two of `borders`, which are values of its parameter in
 /// ascending order; at least 0.
 template <class Surface>
 void max_heights(const Surface& surface, const PathPiece& piece, bool is_sphere, std::span<const double> borders,

@@ -73,8 +73,8 @@ struct PassedAbove {
   BarrierId barrier;
   double clearance;    // of the rock's underside above the top [m]
   Motion motion{};     // where it passes
-  double height = 0;   // of the centre above the foot, along the face [m]
   double station = 0;  // where along the line, on plan [m]
+  double lowest = 0;   // of the block's lowest point above the foot, along the face [m]
 };
 
 /// A rock strikes the ground.

@@ -18,7 +18,7 @@ struct RockOutcome {
   EndReason reason = EndReason::at_rest;
   std::int64_t events = 0;        // impacts, arrivals at barriers, take-offs where the ground falls away or ends
   double max_kinetic_energy = 0;  // translational and rotational [J]
-  double max_bounce = 0;          // maximum height of the centre above the ground below it [m]
+  double max_bounce = 0;          // maximum bounce height (rocks/heights.hpp) [m]
   /// Of the ground straight below its centre at the end. Empty: it left the model, or there is none.
   std::optional<MaterialId> ground;
 };

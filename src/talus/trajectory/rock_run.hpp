@@ -144,6 +144,7 @@ template <TerrainSurface Surface>
 void RockRun<Surface>::end() {
   rock_.outcome.reason = std::get<Ended>(state_).reason;
   rock_.update_max_energy();
+  rock_.outcome.max_bounce = lowest_point(rock_.max_height, rock_.reach);
   rock_.outcome.end = rock_.motion;
   if (rock_.outcome.reason != EndReason::left_model) {
     if (const auto below = rock_.surface.ground_below(rock_.motion.position))

@@ -4,10 +4,10 @@
 #include "talus/barriers/barrier.hpp"
 #include "talus/ground/material.hpp"
 #include "talus/impact/law.hpp"
+#include "talus/rocks/heights.hpp"
 
 namespace talus {
 
-enum class RockModel { lumped_mass, rigid_sphere };
 enum class SlidingMethod { stepped, closed_form };
 /// Where the friction angle of a sliding lumped mass comes from.
 enum class FrictionSource {

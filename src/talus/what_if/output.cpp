@@ -23,7 +23,7 @@ struct FigureName {
 constexpr std::array<FigureName, 1 + MemberValues::quantities> figure_names{
     {{"share", "", "", "share of the rocks that cross"},
      {"energy", "_J", "J", "design percentile of the energy that the check takes"},
-     {"height", "_m", "m", "design percentile of the height"},
+     {"height", "_m", "m", "design percentile of the height of the block's top; in a polygon, of the bounce height"},
      {"velocity", "_m_s", "m/s", "design percentile of the velocity"}}};
 
 std::vector<std::string> names_of_figures() {

@@ -63,7 +63,7 @@ test('the numbers are those of the design of a run', async ({ workbench: page })
   await expect(share(page)).toContainText(`${Number(halfWay.rocks).toLocaleString('en')} of 20,000 rocks`);
   expect(Date.now() - begun).toBeLessThan(20_000);
   const three = (value: number) => Number(value.toPrecision(3)).toLocaleString('en', { maximumFractionDigits: 9 });
-  await expect(figure(page, '95 % height')).toContainText(`${three(halfWay.percentiles.height_m['95'][0])} m`);
+  await expect(figure(page, "95 % height of the block's top")).toContainText(`${three(halfWay.percentiles.height_m['95'][0])} m`);
   await expect(figure(page, '95 % velocity')).toContainText(`${three(halfWay.percentiles.velocity_m_s['95'][0])} m/s`);
   await expect(figure(page, '95 % energy')).toContainText(`${three(halfWay.percentiles.ke_translational_J['95'][0] / 1000)} kJ`);
   if (halfWay.needs) await expect(figure(page, 'class by UNI 11211-4')).toContainText(String(halfWay.needs.class ?? 'none'));

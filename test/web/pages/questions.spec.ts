@@ -69,7 +69,7 @@ test('the four questions are answered as by collectors', async ({ workbench: pag
   const figure = (title: string) => card.locator('.asked-figures > div').filter({ hasText: title }).locator('dd strong');
   const number = async (title: string) => Number((await figure(title).textContent())!.replace(/[^\d.]/g, ''));
   expect(await number('95 % energy')).toBeCloseTo(Number((design.percentiles.ke_translational_J!['95']![0] / 1000).toPrecision(3)), 6);
-  expect(await number('95 % height')).toBeCloseTo(Number(design.percentiles.height_m!['95']![0].toPrecision(3)), 6);
+  expect(await number("95 % height of the block's top")).toBeCloseTo(Number(design.percentiles.height_m!['95']![0].toPrecision(3)), 6);
 
   // Where do they come from? All from the one place of release; the filter leaves as many as crossed.
   await expect(card.locator('.asked-sources li button')).toHaveText(new RegExp(`Crest: ${crossing.size} of 400, `));

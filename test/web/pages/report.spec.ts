@@ -52,7 +52,7 @@ test('a section is drawn and tabled in feet and kip-feet on request', async ({ p
     ['End point x', 'm', 'ft', 0.3048],
     ['Runout on plan', 'm', 'ft', 0.3048],
     ['Maximum total kinetic energy', 'kJ', 'kip·ft', kipFoot],
-    ['Maximum bounce height', 'm', 'ft', 0.3048],
+    ['Maximum bounce height (lowest point)', 'm', 'ft', 0.3048],
   ] as const) {
     const [before, after] = [metric.get(`${title} [${unit}]`)!, shown.get(`${title} [${displayed}]`)!];
     const power = (name = '') => (name === 'Sample variance' ? 2 : /Kurtosis|Skewness|Count/.test(name) ? 0 : 1);

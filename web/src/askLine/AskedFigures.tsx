@@ -24,15 +24,17 @@ interface Figure {
   interval: string;
 }
 
-const quantities = [
-  ['energy', 'ke_translational_J', 'J'],
-  ['height', 'height_m', 'm'],
-  ['velocity', 'velocity_m_s', 'm/s'],
-] as const;
+/// `height`: what it is the height of.
+const quantities = (height: string) =>
+  [
+    ['energy', 'ke_translational_J', 'J'],
+    [`height of the ${height}`, 'height_m', 'm'],
+    ['velocity', 'velocity_m_s', 'm/s'],
+  ] as const;
 
 /// The percentile of the design with its confidence interval: 95 % of the rocks have less.
-function percentilesIn({ percentiles }: Pick<PolygonAnswer, 'percentiles'>, percentile: string): Figure[] {
-  return quantities.flatMap(([title, key, metric]) => {
+function percentilesIn({ percentiles }: Pick<PolygonAnswer, 'percentiles'>, percentile: string, height: string): Figure[] {
+  return quantities(height).flatMap(([title, key, metric]) => {
     const found = percentiles[key]?.[percentile];
     if (!found) return [];
     const { unit, per } = displayOf(metric);
@@ -71,12 +73,12 @@ const storedText = ({ run: { stored, rocks } }: Pick<LineAnswer, 'run'>) =>
   stored < rocks ? `of the ${stored.toLocaleString('en')} stored of ${counted(rocks, 'rock')}` : `of ${counted(rocks, 'rock')}`;
 
 /// Of a line: percentiles and the class.
-export const figuresOfLine = (of: LineAnswer) => [...percentilesIn(of.whole, String(of.design_percentile)), ...classOf(of)];
+export const figuresOfLine = (of: LineAnswer) => [...percentilesIn(of.whole, String(of.design_percentile), "block's top"), ...classOf(of)];
 
 /// Of an area, by the 95th percentile if there is one.
 export function figuresOfArea(of: PolygonAnswer) {
   const known = Object.keys(of.percentiles.ke_total_J ?? {});
-  return percentilesIn(of, known.includes('95') ? '95' : (known[0] ?? '95'));
+  return percentilesIn(of, known.includes('95') ? '95' : (known[0] ?? '95'), 'lowest point');
 }
 
 /// The share that crosses, or the shares that enter and end inside.

@@ -21,7 +21,7 @@ export const profileChoices: Record<ProfileChoice, Choice> = {
   ke_translational_J: { title: 'Energy', unit: 'J', of: percentileOf('ke_translational_J') },
   ke_total_J: { title: 'Total energy', unit: 'J', of: percentileOf('ke_total_J') },
   velocity_m_s: { title: 'Velocity', unit: 'm/s', of: percentileOf('velocity_m_s') },
-  height_m: { title: 'Height', unit: 'm', of: percentileOf('height_m') },
+  height_m: { title: "Height of the block's top", unit: 'm', of: percentileOf('height_m') },
   rocks: { title: 'Rocks', unit: '', of: ({ rocks }) => [rocks, null, null] },
   share: { title: 'Share of all rocks', unit: 'share', of: ({ share }) => share && [share.value, share.low, share.high] },
 };

@@ -18,7 +18,7 @@ export const endpointColumns = {
   mass_kg: {"kind":"quantity","unit":"kg","meaning":"mass"},
   radius_m: {"kind":"quantity","unit":"m","meaning":"radius of the equivalent sphere"},
   max_ke_J: {"kind":"quantity","unit":"J","meaning":"maximum total kinetic energy: translational and rotational"},
-  max_bounce_m: {"kind":"quantity","unit":"m","meaning":"maximum bounce height: of the centre above the ground straight below it, in flight, and for a sphere also on the ground"},
+  max_bounce_m: {"kind":"quantity","unit":"m","meaning":"maximum bounce height: of the block's lowest point above the ground straight below it"},
   ensemble: {"kind":"key","unit":"","meaning":"with `sampling.parameters`: number of the rock's ensemble, from 0; otherwise empty"},
 } as const;
 
@@ -58,6 +58,7 @@ export const hitColumns = {
   ke_total_J: {"kind":"quantity","unit":"J","meaning":"total kinetic energy"},
   outcome: {"kind":"word","unit":"","meaning":"outcome of the hit"},
   ensemble: {"kind":"key","unit":"","meaning":"with `sampling.parameters`: number of the rock's ensemble, from 0; otherwise empty"},
+  top_height_m: {"kind":"quantity","unit":"m","meaning":"height of the block's top above the foot, along the face: what a fence must have to cover it"},
 } as const;
 
 // What statistics are made of: the quantities of a table, and what follows from them.
@@ -93,6 +94,7 @@ export const hitNumbers = {
   ke_translational_J: {"unit":"J"},
   ke_rotational_J: {"unit":"J"},
   ke_total_J: {"unit":"J"},
+  top_height_m: {"unit":"m"},
 } as const;
 
 // The quantities of a design, as summary.json names them.
@@ -110,7 +112,7 @@ export const sectionFigures = {
   energy_total: {"title":"Total kinetic energy","unit":"kJ","per":1.0},
   energy_translational: {"title":"Translational kinetic energy","unit":"kJ","per":1.0},
   velocity: {"title":"Velocity","unit":"m/s","per":1.0},
-  bounce_height: {"title":"Bounce height","unit":"m","per":1.0},
+  bounce_height: {"title":"Bounce height (lowest point)","unit":"m","per":1.0},
   reach_share: {"title":"Reach probability","unit":"%","per":0.01},
   passages: {"title":"Passages","unit":"","per":1.0},
   deposits: {"title":"Deposits","unit":"","per":1.0},

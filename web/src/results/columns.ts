@@ -40,15 +40,16 @@ const titles: Record<
   mass_kg: 'Mass',
   radius_m: 'Radius',
   max_ke_J: 'Maximum total kinetic energy',
-  max_bounce_m: 'Maximum bounce height',
+  max_bounce_m: 'Maximum bounce height (lowest point)',
   ke_total_J: 'Total kinetic energy',
   ke_translational_J: 'Translational kinetic energy',
   ke_rotational_J: 'Rotational kinetic energy',
-  impact_height_m: 'Impact height',
+  impact_height_m: 'Impact height (contact)',
+  top_height_m: "Height of the block's top",
   velocity_m_s: 'Velocity',
   angle_deg: 'Angle to the normal',
   station_m: 'Distance along the line',
-  height_m: 'Height',
+  height_m: "Height of the block's top",
 };
 
 /// The column of endpoints.csv for each statistic of summary.json, if its name differs.

@@ -27,10 +27,11 @@ const pathTitles: Record<Exclude<PathColumn, 'rock'>, string> = {
 };
 const hitTitles: Record<Exclude<HitColumn, 'rock' | 'ensemble' | PathColumn>, string> = {
   barrier: 'Barrier',
-  impact_height_m: 'Height',
+  impact_height_m: 'Contact height',
   angle_deg: 'Angle',
   ke_total_J: 'Kinetic, total',
   outcome: 'Outcome',
+  top_height_m: 'Top height',
 };
 const tableTitles: Readonly<Record<string, string>> = { ...pathTitles, ...hitTitles };
 
@@ -92,7 +93,7 @@ export function RockFacts({ endpoint }: { endpoint: Record<string, string> }) {
     ['Runout on plan', number('runout_xy_m')],
     ['Time', number('time_s')],
     ['Maximum total kinetic energy', number('max_ke_J')],
-    ['Maximum bounce height', number('max_bounce_m')],
+    ['Maximum bounce height (lowest point)', number('max_bounce_m')],
   ];
   return (
     <dl class="rock-facts">

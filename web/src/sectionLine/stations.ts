@@ -38,9 +38,9 @@ export function stationsAlong(line: readonly Point2[], halfWidth: number, count:
   return stations;
 }
 
-/// Quantities of the envelopes (height above the ground, total kinetic energy, velocity), with the unit of the answers.
+/// Quantities of the envelopes (height of the block's top, total kinetic energy, velocity), with the unit of the answers.
 export const envelopeChoices = {
-  height_m: { title: 'Height', unit: 'm' },
+  height_m: { title: "Height of the block's top", unit: 'm' },
   ke_total_J: { title: 'Energy', unit: 'J' },
   velocity_m_s: { title: 'Velocity', unit: 'm/s' },
 } as const satisfies Partial<Record<LineQuantity, { title: string; unit: string }>>;

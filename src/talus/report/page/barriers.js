@@ -14,7 +14,7 @@ function hitFigure(parent, name) {
       const top = d3.max(walls, (b) => b.height_m);
       const toX = d3.scaleLinear().domain(extentOf([0, ...all.map((h) => h.ke_translational)])).range([side.left, side.right]);
       const toY = d3.scaleLinear().domain(extentOf([0, ...(top ? [top] : []), ...all.map((h) => h.height)], 0.05)).range([side.bottom, side.top]);
-      axes(svg, axisIn('J', toX), axisIn('m', toY), side, {xLabel: `Translational kinetic energy [${unitIn('J')}]`, yLabel: `Impact height [${unitIn('m')}]`});
+      axes(svg, axisIn('J', toX), axisIn('m', toY), side, {xLabel: `Translational kinetic energy [${unitIn('J')}]`, yLabel: `Impact height of the contact [${unitIn('m')}]`});
       for (const height of new Set(walls.map((b) => b.height_m))) {
         svg.append('line').attr('class', 'barrier').style('stroke-width', 1.5).attr('x1', side.left).attr('x2', side.right).attr('y1', toY(height)).attr('y2', toY(height));
         svg.append('text').attr('class', 'barrier-name halo').attr('x', side.left + 6).attr('y', toY(height) + 14).text(`top, ${givenLength(height)}`);
@@ -65,11 +65,11 @@ function barrierSections(parent) {
     if (runs.some((run) => of(run).passed_above > 0)) element(facts, 'p', passedAboveText(name), {class: 'quiet'});
     hitFigure(box, name);
     histogramFigure(box, {title: 'Translational energy at impact', quantity: 'Translational kinetic energy', column: 'ke_translational_J', unit: 'J', thing: 'hit', of: (run) => (of(run).histograms || {}).ke_translational_J});
-    histogramFigure(box, {title: 'Impact height', quantity: 'Impact height', column: 'impact_height_m', unit: 'm', thing: 'hit', of: (run) => (of(run).histograms || {}).impact_height_m});
+    histogramFigure(box, {title: 'Impact height', quantity: 'Impact height of the contact', column: 'impact_height_m', unit: 'm', thing: 'hit', of: (run) => (of(run).histograms || {}).impact_height_m});
     statisticsTable(parent, runs, [
       {text: 'Translational energy', unit: 'J', of: (run) => (of(run).statistics || {}).ke_translational_J},
       {text: 'Total kinetic energy', unit: 'J', of: (run) => (of(run).statistics || {}).ke_total_J},
-      {text: 'Impact height', unit: 'm', of: (run) => (of(run).statistics || {}).impact_height_m},
+      {text: 'Impact height (contact)', unit: 'm', of: (run) => (of(run).statistics || {}).impact_height_m},
       {text: 'Velocity', unit: 'm/s', of: (run) => (of(run).statistics || {}).velocity_m_s},
     ], 'Descriptive statistics of the hits');
   }

@@ -25,7 +25,7 @@ function designQuantities(design) {
   return [
     {key: total ? 'ke_total_J' : 'ke_translational_J', text: `${total ? 'Total kinetic' : 'Translational'} energy`, unit: 'J'},
     {key: 'velocity_m_s', text: 'Velocity', unit: 'm/s'},
-    {key: 'height_m', text: 'Height above the foot', unit: 'm'},
+    {key: 'height_m', text: "Height of the block's top above the foot", unit: 'm'},
   ];
 }
 

@@ -54,7 +54,7 @@ function distributionFigures(parent) {
     boxFigure(boxes, {...endX, title: 'Box plot of end points', of: inSection((run) => run.statistics.end_x_m)}),
     boxFigure(boxes, {...runout, title: 'Box plot of runout', of: (run) => run.statistics.runout_xy_m}),
     boxFigure(boxes, {title: 'Box plot of maximum energy', quantity: 'Maximum total kinetic energy of each rock', column: 'max_ke_J', unit: 'J', of: (run) => run.statistics.max_ke_J}),
-    boxFigure(boxes, {title: 'Box plot of maximum bounce height', quantity: 'Maximum bounce height of each rock', column: 'max_bounce_m', unit: 'm', of: (run) => run.statistics.max_bounce_m}),
+    boxFigure(boxes, {title: 'Box plot of maximum bounce height', quantity: 'Maximum bounce height of each rock (lowest point)', column: 'max_bounce_m', unit: 'm', of: (run) => run.statistics.max_bounce_m}),
   ].some(Boolean);
   if (!hasEnds && !hasRunout && !hasBoxes) element(parent, 'p', 'The summary has no histograms.', {class: 'quiet'});
 }

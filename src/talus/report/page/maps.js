@@ -4,7 +4,7 @@
 const mapKindsOfAll = {
   reach_share: {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: 'share'},
   energy_total_max_kJ: {title: 'Maximum total kinetic energy', quantity: 'Total kinetic energy, maximum of all rocks', unit: 'kJ'},
-  bounce_height_max_m: {title: 'Maximum bounce height', quantity: 'Bounce height, maximum of all rocks', unit: 'm'},
+  bounce_height_max_m: {title: 'Maximum bounce height', quantity: 'Bounce height of the lowest point, maximum of all rocks', unit: 'm'},
   velocity_max_m_s: {title: 'Maximum velocity', quantity: 'Velocity, maximum of all rocks', unit: 'm/s'},
 };
 

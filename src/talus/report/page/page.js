@@ -65,7 +65,7 @@ function show() {
       {text: 'Runout on plan', unit: 'm', of: (run) => run.statistics.runout_xy_m},
       {text: 'Runout in space', unit: 'm', of: (run) => run.statistics.runout_total_m},
       {text: 'Maximum total kinetic energy', unit: 'J', of: (run) => run.statistics.max_ke_J},
-      {text: 'Maximum bounce height', unit: 'm', of: (run) => run.statistics.max_bounce_m},
+      {text: 'Maximum bounce height (lowest point)', unit: 'm', of: (run) => run.statistics.max_bounce_m},
     ], 'Descriptive statistics, one value per rock');
     element(node, 'p', 'Standard deviation and variance are sample values (n − 1). Kurtosis is excess kurtosis; skewness is corrected for bias. The confidence level is half the width of the 95 % interval of the mean, by Student’s t. Variances are in the square of the unit. Total kinetic energy is translational plus rotational.', {class: 'quiet'});
   });

@@ -1,0 +1,31 @@
+#pragma once
+// The datum of all heights, one for both models. A block is the equivalent sphere (rock.hpp); its lowest point and its
+// top are a diameter apart. The place of a rigid sphere is its centre. That of a lumped mass is where its block touches
+// the ground, and so its lowest point.
+//
+// - Bounce height: of the lowest point above the ground straight below it.
+// - Height at a line, and what a fence must have: of the top above the foot, along the face.
+//
+// The impact height on a barrier is that of the contact (barriers/barrier.hpp).
+
+#include <algorithm>
+
+#include "talus/rocks/rock.hpp"
+
+namespace talus {
+
+enum class RockModel { lumped_mass, rigid_sphere };
+
+/// From a rock's place down to the lowest point of its block [m].
+[[nodiscard]] inline double reach_of(RockModel model, const Rock& rock) {
+  return model == RockModel::rigid_sphere ? rock.radius : 0;
+}
+
+/// The height of the lowest point [m], from that of the rock's place above the same ground, which it cannot be below.
+[[nodiscard]] inline double lowest_point(double height, double reach) { return std::max(height - reach, 0.0); }
+
+/// The heights of the block's centre and of its top [m].
+[[nodiscard]] inline double centre_over(double lowest, double radius) { return lowest + radius; }
+[[nodiscard]] inline double top_over(double lowest, double radius) { return lowest + 2 * radius; }
+
+}  // namespace talus
