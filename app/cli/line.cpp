@@ -44,9 +44,8 @@ project::Project project_again(const RunIdentity& run, const fs::path& file, con
 }
 
 /// The project and the model of a finished run, from its summary.
-Loaded load_run(const LineOptions& options) {
+Loaded load_run(const LineOptions& options, const RunIdentity& run) {
   const fs::path summary = options.folder / "summary.json";
-  const RunIdentity run = read_run_identity(summary);
   if (run.talus.version != TALUS_VERSION) {
     throw BadInput(Problem{.file = summary.string(),
                            .what = "these are the results of another version of talus",
@@ -249,7 +248,8 @@ void write_json(const fs::path& file, const Json& json) {
 int line(const LineOptions& options) {
   take_available_threads();
   const fs::path store = options.folder / trajectories_name;
-  Loaded run = load_run(options);
+  const RunIdentity identity = read_run_identity(options.folder / "summary.json");
+  Loaded run = load_run(options, identity);
   std::error_code ignored;
   if (!fs::exists(store, ignored)) {
     throw BadInput(Problem{.file = store.string(),
@@ -257,7 +257,7 @@ int line(const LineOptions& options) {
                            .why = "lines are asked of the paths of its rocks",
                            .hint = "Run it again with output.trajectories_MB"});
   }
-  const AskedRun asked(run.model, std::make_unique<StoredPaths>(store));
+  const AskedRun asked(run.model, std::make_unique<StoredPaths>(store), identity.ways);
   project::DesignBasis basis = project::design_basis(run.project);
   AnswerOptions answer_options;
   if (options.height_m) answer_options.kit = KitSize{*options.height_m, *options.energy_kJ * 1000};
@@ -266,14 +266,16 @@ int line(const LineOptions& options) {
     const auto corners = places_given(options.polygon, PlanShape::polygon, run.model, "--polygon", warnings);
     const AskedArea area = drawn_area(run.model, corners, "--polygon", warnings);
     print_warnings(warnings);
-    const Json json = asked.area(basis, area, answer_options).json;
+    const auto [json, rocks, doubts] = asked.area(basis, area, answer_options);
+    print_warnings(doubts);
     write_json(options.json, json);
     print_area(json, asked.sources(), run.model);
     return done;
   }
   if (!options.ditch.empty()) {
     const Ditch ditch = ditch_between(run.model, options.ditch[0], options.ditch[1], "--ditch");
-    const Json json = asked.ditch(ditch, basis.design.confidence).json;
+    const auto [json, rocks, doubts] = asked.ditch(ditch, basis.design.confidence);
+    print_warnings(doubts);
     write_json(options.json, json);
     print_ditch(json);
     return done;
@@ -298,7 +300,8 @@ int line(const LineOptions& options) {
     return done;
   }
   add_kits_for_sliders(basis);
-  const Json json = asked.line(basis, line, answer_options).json;
+  const auto [json, rocks, doubts] = asked.line(basis, line, answer_options);
+  print_warnings(doubts);
   write_json(options.json, json);
   print_line(json, asked.sources(), run.model);
   return done;

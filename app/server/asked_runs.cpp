@@ -61,7 +61,8 @@ std::shared_ptr<OpenRun> AskedRuns::open(const Run& run) {
   opened->id = run.id;
   opened->stamp = stamp;
   opened->built = model_of(run, models_);
-  opened->asked = std::make_unique<AskedRun>(opened->built->model, std::make_unique<StoredPaths>(file));
+  opened->asked = std::make_unique<AskedRun>(opened->built->model, std::make_unique<StoredPaths>(file),
+                                             read_run_identity(results_folder(run) / "summary.json").ways);
   const std::lock_guard lock(mutex_);
   std::erase_if(open_, is_it);
   open_.push_front(opened);

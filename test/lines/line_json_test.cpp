@@ -55,6 +55,25 @@ TEST(LineJson, SaysHowManyRocksWouldBeEnough) {
   EXPECT_FALSE(loose.contains("sources"));
 }
 
+// Blocks of 900 kg are 0.86 m in diameter.
+TEST(AnsweredLine, SaysWhyItShouldNotBeTrusted) {
+  const SimulatedRun run(card_slope);
+  Problems warnings;
+  const auto doubts = [&](const std::optional<WaysSummary>& ways, double kit_height) {
+    const AskedRun asked(run.model, std::make_unique<SimulatedPaths>(run.paths), ways);
+    const AskedLine line = drawn_line(run.model, std::vector<PlanPlace>{{35, 0}, {35, 60}}, 5, "line", warnings);
+    return asked.line(project::design_basis(run.project), line, {.kit = KitSize{kit_height, 1e6}}).warnings.text();
+  };
+  EXPECT_EQ(doubts(WaysSummary{6, 4}, 3), "");
+  EXPECT_EQ(doubts({}, 3), "") << "of a program that did not say";
+  EXPECT_NE(doubts(WaysSummary{4, 6}, 3).find("warning: rocks: 60 % of the way of all rocks was slid or rolled"),
+            std::string::npos);
+  EXPECT_EQ(doubts({}, 0.8),
+            "warning: line: the kit's height is 0.80 m, less than the largest block that crosses (its diameter is 0.86 "
+            "m: such a block reaches over the fence even as it rolls). Take at least that height, or a higher "
+            "percentile");
+}
+
 TEST(LineJson, OfALineThatNoRockCrosses) {
   const SimulatedRun run(card_slope);
   const Json none = answer_to(run, {{0.2, 0}, {0.2, 60}}, {.kit = KitSize{3, 1e6}, .precision = 0.1});

@@ -46,6 +46,7 @@ std::vector<Seen> random_rocks(Dice& dice, std::size_t count) {
     record.outcome.reason = dice.chance(0.1) ? EndReason::lost : EndReason::at_rest;
     record.outcome.max_kinetic_energy = dice.magnitude(1e-3, 1e7);
     record.outcome.max_bounce = dice.unit();
+    log.ways = {dice.magnitude(1e-3, 1e3), dice.magnitude(1e-3, 1e3)};
     record.outcome.events = static_cast<std::int64_t>(dice.below(9));
     record.was_lifted = dice.chance(0.2);
     if (dice.chance(0.4)) {

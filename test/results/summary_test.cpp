@@ -179,6 +179,7 @@ TEST(Summary, DoesNotDependOnHowTheRocksAreSplit) {
     rocks.push_back(ended_at(dice.in_cube(1e6), dice.in_cube(1e-3)));
     rocks.back().record.outcome.max_kinetic_energy = dice.magnitude(1e-9, 1e9);
     rocks.back().record.outcome.max_bounce = dice.unit();
+    rocks.back().log.ways = {dice.magnitude(1e-9, 1e5), dice.magnitude(1e-9, 1e5)};
   }
   const Summary whole = summary_of(rocks);
   for (int trial = 0; trial < 20; ++trial) {
@@ -201,6 +202,8 @@ TEST(Summary, DoesNotDependOnHowTheRocksAreSplit) {
     EXPECT_EQ(bits(split.runout_total), bits(whole.runout_total));
     EXPECT_EQ(bits(split.max_kinetic_energy), bits(whole.max_kinetic_energy));
     EXPECT_EQ(bits(split.max_bounce), bits(whole.max_bounce));
+    EXPECT_EQ(split.flown, whole.flown);
+    EXPECT_EQ(split.on_ground, whole.on_ground);
   }
 }
 

@@ -44,6 +44,26 @@ TEST(WarningsOfRocks, IgnoreRocksThatLeaveTheModel) {
   EXPECT_EQ(warned_after(100, {{EndReason::left_model, 100}}), "");
 }
 
+// More than half of the way of all rocks.
+TEST(WarningsOfRocks, ReportThatTheySlid) {
+  const auto warned = [](double flown, double on_ground) {
+    Summary summary(100, 0);
+    summary.done = 100;
+    summary.flown.add(flown);
+    summary.on_ground.add(on_ground);
+    Problems warnings;
+    warn_of_rocks(summary, warnings);
+    return warnings.text();
+  };
+  EXPECT_EQ(
+      warned(2, 8),
+      "warning: rocks: 80 % of the way of all rocks was slid or rolled (blocks bounce on natural ground: heights, "
+      "and what fences must have, may be far too low). Look at roughness_deg of the materials before you use "
+      "heights of this run");
+  EXPECT_EQ(warned(8, 8), "");
+  EXPECT_EQ(warned(0, 0), "");
+}
+
 RunDescription described(const char* model) {
   RunDescription description;
   description.model = nlohmann::ordered_json::parse(model);
@@ -127,6 +147,31 @@ TEST(WarningsOfDesign, ReportWhatLimitsTheBestKitOfALine) {
   result.ranking.front().suffices = true;
   result.ranking.front().limit = KitLimit::none;
   EXPECT_EQ(warned(), nobody);
+}
+
+// The 95th percentile may be that of small blocks, and a kit may be lower still.
+TEST(WarningsOfDesign, ReportHeightsBelowTheSizeOfTheBlocks) {
+  DesignPlan plan = two_lines();
+  plan.lines.resize(1);
+  DesignResult result;
+  result.lines.resize(1);
+  result.lines[0].whole.rocks = 100;
+  result.lines[0].whole.largest_block = 1.12;
+  result.lines[0].whole.demand = KitDemand{100e3, 0, 0.9};
+  result.ranking = {KitChoice{.line = 0, .height = 1, .suffices = true, .caught = RockShare{96, 100, 0.96, 0.9, 0.99}}};
+  const auto warned = [&] {
+    Problems warnings;
+    warn_of_design(plan, result, warnings);
+    return warnings.text();
+  };
+  const std::string rest =
+      " m, less than the largest block that crosses (its diameter is 1.12 m: such a block reaches over the fence even "
+      "as it rolls). Take at least that height, or a higher percentile";
+  EXPECT_EQ(warned(), "warning: design line \"Upper\": the height that a fence must have is 0.90" + rest +
+                          "\nwarning: design line \"Upper\": the kit's height is 1.00" + rest);
+  result.lines[0].whole.demand->height = 1.12;
+  result.ranking.front().height = 2;
+  EXPECT_EQ(warned(), "");
 }
 
 }  // namespace

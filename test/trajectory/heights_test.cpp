@@ -1,5 +1,5 @@
 // Heights have one datum for both models (rocks/heights.hpp): a block that lies on the ground has a bounce height of 0,
-// and its top is a diameter above it.
+// and its top is a diameter above it. And how far rocks fly, slide and roll.
 
 #include "talus/rocks/heights.hpp"
 
@@ -93,6 +93,51 @@ TEST(Heights, AboveALineAreThoseOfTheTop) {
     const double lowest = 4 - 0.5 * standard_gravity * 0.2 * 0.2;
     EXPECT_NEAR(path.log.passed_above.front().lowest, lowest, 1e-9);
     EXPECT_NEAR(path.log.passed_above.front().clearance, lowest - 1, 1e-9);
+  }
+}
+
+// A fall of 3 m, without a rebound, and a slide that friction ends: v^2 / (2 mu g).
+TEST(Ways, AreFlownOrAlongTheGround) {
+  for (const SlidingMethod method : {SlidingMethod::stepped, SlidingMethod::closed_form}) {
+    Laws laws = laws_of(RockModel::lumped_mass);
+    laws.sliding = method;
+    const Followed fall =
+        follow(level(), ground_of({.rn = 0, .rt = 0}), laws, released(RockModel::lumped_mass, 5, 3, Vec3::Zero()));
+    EXPECT_NEAR(fall.log.ways.flown, 3, 1e-12);
+    EXPECT_EQ(fall.log.ways.on_ground, 0);
+    const Followed slide =
+        follow(level(), ground_of({.rt = 1}), laws, released(RockModel::lumped_mass, 5, 0, {8, 0, 0}));
+    const double way = slide.outcome.end.position.x() - 5;
+    EXPECT_GT(way, 3);
+    EXPECT_NEAR(slide.log.ways.on_ground, way, 1e-9);
+    EXPECT_NEAR(slide.log.ways.flown, 0, 1e-9);
+  }
+}
+
+TEST(Ways, OfAllPiecesAreThoseOfThePath) {
+  const Profile slope(std::vector<Vec2>{{0, 0}, {40, -30}, {60, -32}, {200, -32}});
+  for (const RockModel model : models) {
+    Followed path{{}, RockLog(true, true)};
+    const Ground ground = ground_of({.rn = 0.4, .phi = 0.5});
+    const Draws draws(SamplingPlan{}, 0);
+    const Laws laws = laws_of(model);
+    path.outcome =
+        follow_rock(Scene<Profile>{slope, ground, {}, laws}, released(model, 2, 4, {1, 0, 0}), draws, path.log);
+    RockWays sum;
+    for (const PathPiece& piece : path.log.pieces) {
+      const bool is_glide = piece.steps.count > 0;
+      const PathPiece last = is_glide ? path.log.step_of(piece, piece.steps.count - 1) : piece;
+      const double chord = (last.path.at(last.duration) - piece.path.p).norm();
+      piece.on_ground ? sum.on_ground += chord : sum.flown += arc_length(piece.path, piece.duration);
+    }
+    EXPECT_GT(sum.flown, 10);
+    EXPECT_GT(sum.on_ground, 1);
+    EXPECT_NEAR(path.log.ways.flown, sum.flown, 1e-9);
+    EXPECT_NEAR(path.log.ways.on_ground, sum.on_ground, 1e-6);
+    RockLog again(false);
+    (void)follow_rock(Scene<Profile>{slope, ground, {}, laws}, released(model, 2, 4, {1, 0, 0}), draws, again);
+    EXPECT_EQ(again.ways.flown, path.log.ways.flown) << "whether the log keeps pieces or not";
+    EXPECT_EQ(again.ways.on_ground, path.log.ways.on_ground);
   }
 }
 

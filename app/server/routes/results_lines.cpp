@@ -100,7 +100,7 @@ class DragOrder {
 };
 
 /// Adds what filters need.
-Json with_selection(RunAnswer answer, const Problems& warnings, const Run& run, AskedRuns& asked) {
+Json with_selection(RunAnswer answer, Problems warnings, const Run& run, AskedRuns& asked) {
   Json listed = Json::array();
   for (const std::uint64_t rock : answer.rocks) {
     if (listed.size() == most_listed) break;
@@ -108,6 +108,7 @@ Json with_selection(RunAnswer answer, const Problems& warnings, const Run& run, 
   }
   answer.json["crossing_rocks"] = std::move(listed);
   answer.json["selection"] = asked.remember(run.id, std::move(answer.rocks));
+  warnings.append(answer.warnings);
   answer.json["problems"] = as_json(warnings);
   return std::move(answer.json);
 }

@@ -97,7 +97,8 @@ RunSummary read_run_summary(const std::filesystem::path& file, const std::functi
 }
 
 RunIdentity read_run_identity(const std::filesystem::path& file) {
-  constexpr std::array<std::string_view, 6> keys{"talus", "fingerprint", "rocks", "shard", "interrupted", "project"};
+  constexpr std::array<std::string_view, 7> keys{"talus",       "fingerprint", "rocks",  "shard",
+                                                 "interrupted", "ways",        "project"};
   RunSummary summary;
   try {
     const JsonValue json = parse_summary(file, [](const JsonValue&) {});

@@ -183,7 +183,16 @@ struct ReportInputs {
   [[nodiscard]] std::optional<FieldFault> fault() const;
 };
 
-/// The identity of the run of a summary.
+/// How far all rocks have come [m].
+struct WaysSummary {
+  double flown_m = 0, on_ground_m = 0;  // on the ground: slid or rolled
+  static auto fields() {
+    using W = WaysSummary;
+    return std::tuple(field("flown_m", &W::flown_m), field("on_ground_m", &W::on_ground_m));
+  }
+};
+
+/// The identity of the run of a summary, and what questions to the run need to know of it.
 struct RunIdentity {
   struct Program {
     std::string version{};
@@ -213,7 +222,8 @@ struct RunIdentity {
   Rocks rocks{};
   std::optional<Part> shard{};  // nullopt: the whole campaign
   bool interrupted = false;
-  SharedJson project{};  // complete, with defaults
+  std::optional<WaysSummary> ways{};  // nullopt: of a program without
+  SharedJson project{};               // complete, with defaults
 };
 
 /// The rocks in the store of trajectories.
@@ -258,16 +268,17 @@ struct RunSummary : RunIdentity {
 
   static auto fields() {
     using S = RunSummary;
-    return std::tuple(
-        field("talus", &S::talus), field("name", &S::name), field("fingerprint", &S::fingerprint),
-        field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
-        field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
-        field("end_reasons", &S::end_reasons), field("events", &S::events), field("statistics", &S::statistics),
-        field("histograms", &S::histograms), field_if_any("trajectories", &S::trajectories),
-        field("barriers", &S::barriers), field_if_any("design", &S::design), field("sources", &S::sources),
-        field("warnings", &S::warnings), field("notes", &S::notes), field("energy_datum_m", &S::energy_datum_m),
-        field("origin_m", &S::origin_m), field("terrain", &S::terrain), field("project", &S::project),
-        field_if_any("inputs", &S::inputs), field("timings", &S::timings));
+    return std::tuple(field("talus", &S::talus), field("name", &S::name), field("fingerprint", &S::fingerprint),
+                      field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
+                      field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
+                      field("end_reasons", &S::end_reasons), field("events", &S::events),
+                      field_if_any("ways", &S::ways), field("statistics", &S::statistics),
+                      field("histograms", &S::histograms), field_if_any("trajectories", &S::trajectories),
+                      field("barriers", &S::barriers), field_if_any("design", &S::design),
+                      field("sources", &S::sources), field("warnings", &S::warnings), field("notes", &S::notes),
+                      field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m),
+                      field("terrain", &S::terrain), field("project", &S::project), field_if_any("inputs", &S::inputs),
+                      field("timings", &S::timings));
   }
 };
 

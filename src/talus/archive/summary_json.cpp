@@ -112,6 +112,7 @@ RunSummary run_summary(const RunDescription& description, const Summary& sums, c
     if (sums.ended(reason) > 0) summary.end_reasons.emplace_back(name(reason), sums.ended(reason));
   }
   summary.events = static_cast<std::uint64_t>(sums.events);
+  summary.ways = ways_of(sums);
   summary.statistics = {{"end_x_m", statistics_of(sums.end_x)},
                         {"runout_xy_m", statistics_of(sums.runout_plan)},
                         {"runout_total_m", statistics_of(sums.runout_total)},
@@ -134,6 +135,8 @@ RunSummary run_summary(const RunDescription& description, const Summary& sums, c
 }
 
 }  // namespace
+
+WaysSummary ways_of(const Summary& sums) { return {sums.flown.value(), sums.on_ground.value()}; }
 
 Statistics statistics_of(const Tally& tally) {
   const Descriptive d = tally.describe();

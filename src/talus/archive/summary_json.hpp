@@ -31,6 +31,7 @@ struct RunCourse {
 void write_summary(TextSink& out, const RunDescription& description, const std::vector<std::string>& warnings,
                    const Summary& summary, const RunCourse& course, const DesignResult* design = nullptr);
 
+[[nodiscard]] WaysSummary ways_of(const Summary& sums);
 /// The statistics of a tally.
 [[nodiscard]] Statistics statistics_of(const Tally& tally);
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "talus/archive/doubts.hpp"
+
 namespace talus {
 
 using Json = nlohmann::ordered_json;
@@ -21,14 +23,19 @@ void expect_rocks_of(const Model& model, const RockPaths& paths) {
 
 }  // namespace
 
-AskedRun::AskedRun(const Model& model, std::unique_ptr<const RockPaths> paths)
-    : model_(model), paths_((expect_rocks_of(model, *paths), std::move(paths))), sources_(model, paths_->rocks()) {}
+AskedRun::AskedRun(const Model& model, std::unique_ptr<const RockPaths> paths, const std::optional<WaysSummary>& ways)
+    : model_(model), paths_((expect_rocks_of(model, *paths), std::move(paths))), sources_(model, paths_->rocks()) {
+  if (ways) doubt_ways(*ways, warnings_);
+}
 
 Json AskedRun::head() const { return {{"run", {{"rocks", paths_->simulated()}, {"stored", paths_->rocks().size()}}}}; }
 
 RunAnswer AskedRun::line(const project::DesignBasis& basis, const AskedLine& line, const AnswerOptions& options) const {
   const LineAnswer answer = ask_lines(model_, basis, *paths_, std::span(&line, 1)).front();
-  RunAnswer all{head(), {}};
+  RunAnswer all{head(), {}, warnings_};
+  const std::string where = line.of_model ? fmt::format("\"{}\"", line.barrier.name) : "line";
+  doubt_needed_height(where, answer.result.whole, all.warnings);
+  if (options.kit) doubt_kit_height(where, options.kit->height, answer.result.whole, all.warnings);
   all.json.update(line_json(model_, line, answer, sources_, options));
   for (const CrossingRock& crossing : answer.crossings) all.rocks.push_back(crossing.rock);
   return all;
@@ -47,7 +54,7 @@ Json AskedRun::lines(const project::DesignBasis& basis, std::span<const AskedLin
 
 RunAnswer AskedRun::area(const project::DesignBasis& basis, const AskedArea& area, const AnswerOptions& options) const {
   const AreaAnswer answer = ask_area(model_, basis, *paths_, area);
-  RunAnswer all{head(), {}};
+  RunAnswer all{head(), {}, warnings_};
   all.json.update(area_json(model_, area, answer, sources_, options));
   for (const RockInside& rock : answer.entering) all.rocks.push_back(rock.rock);
   return all;
@@ -55,7 +62,7 @@ RunAnswer AskedRun::area(const project::DesignBasis& basis, const AskedArea& are
 
 RunAnswer AskedRun::ditch(const Ditch& ditch, double confidence) const {
   const DitchAnswer answer = ask_ditch(model_, *paths_, ditch);
-  RunAnswer all{head(), {}};
+  RunAnswer all{head(), {}, warnings_};
   all.json.update(ditch_json(model_, ditch, answer, confidence));
   for (const RockInDitch& rock : answer.arriving) all.rocks.push_back(rock.rock);
   return all;

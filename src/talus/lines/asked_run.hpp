@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "talus/archive/run_summary.hpp"
+#include "talus/core/problems.hpp"
 #include "talus/lines/area_json.hpp"
 #include "talus/lines/ditch_json.hpp"
 #include "talus/lines/line_json.hpp"
@@ -19,13 +21,15 @@ namespace talus {
 struct RunAnswer {
   nlohmann::ordered_json json;
   std::vector<std::uint64_t> rocks;  // that cross or enter, ascending
+  Problems warnings;                 // why it should not be trusted as it is
 };
 
 /// Several threads may ask at the same time.
 class AskedRun {
  public:
-  /// `model`: of the run; it must outlive the object. Throws BadInput if the paths are of another run.
-  AskedRun(const Model& model, std::unique_ptr<const RockPaths> paths);
+  /// `model`: of the run; it must outlive the object. `ways`: of its summary. Throws BadInput if the paths are of
+  /// another run.
+  AskedRun(const Model& model, std::unique_ptr<const RockPaths> paths, const std::optional<WaysSummary>& ways = {});
 
   [[nodiscard]] RunAnswer line(const project::DesignBasis& basis, const AskedLine& line,
                                const AnswerOptions& options) const;
@@ -45,6 +49,7 @@ class AskedRun {
   const Model& model_;
   std::unique_ptr<const RockPaths> paths_;
   StoredSources sources_;
+  Problems warnings_;  // about the run
 };
 
 /// The length of sections of a profile, where none is given: about twenty on the line, 1, 2 or 5 times a power of ten

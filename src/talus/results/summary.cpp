@@ -136,6 +136,8 @@ void Summary::merge(const Summary& other) {
   runout_total.merge(other.runout_total);
   max_kinetic_energy.merge(other.max_kinetic_energy);
   max_bounce.merge(other.max_bounce);
+  flown.merge(other.flown);
+  on_ground.merge(other.on_ground);
   for (std::size_t k = 0; k < other.barriers.size(); ++k) barriers[k].merge(other.barriers[k]);
 }
 
@@ -148,6 +150,8 @@ void Summary::save(ByteWriter& out) const {
   save_optional(out, first_lost);
   out.put(events);
   for (const Tally* tally : {&end_x, &runout_plan, &runout_total, &max_kinetic_energy, &max_bounce}) tally->save(out);
+  flown.save(out);
+  on_ground.save(out);
   out.count(barriers.size());
   for (const BarrierTally& barrier : barriers) barrier.save(out);
 }
@@ -164,6 +168,8 @@ void Summary::merge_saved(ByteReader& in) {
                "the number of events is damaged");
   events += saved_events;
   for (Tally* tally : {&end_x, &runout_plan, &runout_total, &max_kinetic_energy, &max_bounce}) tally->merge_saved(in);
+  flown.merge_saved(in);
+  on_ground.merge_saved(in);
   expect_bytes(
       done <= planned && end_x.count() == done && std::accumulate(ends.begin(), ends.end(), std::uint64_t{0}) == done,
       "the summary's counts disagree");
@@ -199,6 +205,8 @@ class SummaryPart : public ObserverPart {
     summary.runout_total.add(way.total);
     summary.max_kinetic_energy.add(outcome.max_kinetic_energy);
     summary.max_bounce.add(outcome.max_bounce);
+    summary.flown.add(log.ways.flown);
+    summary.on_ground.add(log.ways.on_ground);
     see_barriers(record, log);
   }
 

@@ -11,6 +11,7 @@
 #include "talus/results/record.hpp"
 #include "talus/results/runout_frame.hpp"
 #include "talus/statistics/descriptive.hpp"
+#include "talus/statistics/fixed_sum.hpp"
 #include "talus/statistics/histogram.hpp"
 #include "talus/statistics/quantile_sketch.hpp"
 #include "talus/terrain/local_frame.hpp"
@@ -93,6 +94,7 @@ struct Summary {
   Tally end_x, runout_plan, runout_total;  // [m]
   Tally max_kinetic_energy;                // [J]
   Tally max_bounce;                        // [m]
+  FixedSum flown, on_ground;               // RockWays of all rocks [m]
   std::vector<BarrierTally> barriers;
 };
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "talus/archive/design_json.hpp"
+#include "talus/archive/doubts.hpp"
+#include "talus/archive/summary_json.hpp"
 
 namespace talus::project {
 
@@ -50,6 +52,7 @@ void warn_of_rocks(const Summary& summary, Problems& warnings) {
          "`talus check` says which seeders and rows");
   }
   warn_of_limits(summary, warnings);
+  doubt_ways(ways_of(summary), warnings);
   if (const std::uint64_t lost = summary.ended(EndReason::lost); lost > 0) {
     warn("rocks", fmt::format("{} of {} rocks fell through the surface", lost, summary.done),
          "this is a defect of the program, not of your project",
@@ -100,19 +103,25 @@ void warn_of_collectors(const RunDescription& description, const Summary& summar
 }
 
 void warn_of_design(const DesignPlan& plan, const DesignResult& result, Problems& warnings) {
+  const auto name_of = [&](std::size_t line) { return fmt::format("design line \"{}\"", plan.lines[line].name); };
   const auto warn = [&](std::size_t line, std::string what, std::string why, std::string hint) {
     warnings.add({.severity = Severity::warning,
-                  .where = fmt::format("design line \"{}\"", plan.lines[line].name),
+                  .where = name_of(line),
                   .what = std::move(what),
                   .why = std::move(why),
                   .hint = std::move(hint)});
   };
   for (std::size_t k = 0; k < result.lines.size(); ++k) {
+    doubt_needed_height(name_of(k), result.lines[k].whole, warnings);
     if (result.lines[k].whole.rocks > 0) continue;
     warn(k, "no rock crosses it", "there is nothing to design a barrier for",
          "Check where the line lies; with few rocks, run more");
   }
-  if (result.ranking.empty() || result.ranking.front().suffices) return;
+  if (result.ranking.empty()) return;
+  if (const KitChoice& best = result.ranking.front(); best.suffices) {
+    doubt_kit_height(name_of(best.line), best.height, result.lines[best.line].whole, warnings);
+    return;
+  }
   std::vector<bool> has_kit(plan.lines.size());
   for (const KitChoice& kit : result.ranking) {
     if (kit.limit == KitLimit::none || result.lines[kit.line].whole.rocks == 0 || has_kit[kit.line]) continue;

@@ -54,7 +54,8 @@ template <class Surface>
 void end_glide(MovingRock<Surface>& rock, const GlideOnFacet& on) {
   Motion& motion = rock.motion;
   const Glide& glide = on.glide;
-  rock.log.glide(motion, on.first_step, rock.laws.timestep, on.down, on.aside, on.facet);
+  const double way = std::sqrt(glide.x * glide.x + glide.y * glide.y);
+  rock.log.glide(motion, way, on.first_step, rock.laws.timestep, on.down, on.aside, on.facet);
   if (glide.x == 0 && glide.y == 0) return;
   if (std::isfinite(on.way_to_bump)) rock.cover(on.facet, on.way_to_bump - glide.way_to_bump);
   motion.position += glide.x * on.down + glide.y * on.aside;

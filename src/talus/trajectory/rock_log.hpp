@@ -7,6 +7,7 @@
 
 #include "talus/barriers/barrier.hpp"
 #include "talus/core/id.hpp"
+#include "talus/flight/arc_length.hpp"
 #include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
 #include "talus/rocks/motion.hpp"
@@ -86,6 +87,12 @@ struct Impact {
   MaterialId ground;
 };
 
+/// How far a rock has come [m].
+struct RockWays {
+  double flown = 0;      // along its parabolas
+  double on_ground = 0;  // slid or rolled: straight from end to end of each leg, and of each glide over a facet
+};
+
 class RockLog {
  public:
   explicit RockLog(bool keep_rows, bool keep_pieces = false) : keep_rows_(keep_rows), keep_pieces_(keep_pieces) {}
@@ -104,6 +111,7 @@ class RockLog {
     impacts.clear();
     hits.clear();
     passed_above.clear();
+    ways = {};
   }
   void row(PathState state, const Motion& motion) {
     if (keep_rows_) rows.push_back({state, motion});
@@ -114,10 +122,12 @@ class RockLog {
   }
   /// A flight that starts with `motion` and covers `duration` of `path`.
   void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag = {}) {
+    ways.flown += arc_length(path, duration);
     if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, {}, drag, {}, {}});
   }
   /// A leg along the ground, from `motion` to `then` in `duration` along `path`, on `facet`.
   void leg(const Parabola& path, double duration, const Motion& motion, const Motion& then, FacetId facet) {
+    ways.on_ground += (path.at(duration) - path.p).norm();
     if (!keep_pieces_) return;
     pieces.push_back(
         {path, duration, motion.time, motion.spin, true, facet, {}, {}, {motion.velocity, then.velocity, then.spin}});
@@ -126,9 +136,10 @@ class RockLog {
   void moment(const Motion& motion, FacetId facet) {
     leg({motion.position, Vec3::Zero(), Vec3::Zero()}, 0, motion, motion, facet);
   }
-  /// A glide that starts with `motion`: the steps of the list from `first` to its end.
-  void glide(const Motion& motion, std::size_t first, double timestep, const Vec3& down, const Vec3& aside,
+  /// A glide that starts with `motion` and leads `way` far: the steps of the list from `first` to its end.
+  void glide(const Motion& motion, double way, std::size_t first, double timestep, const Vec3& down, const Vec3& aside,
              FacetId facet) {
+    ways.on_ground += way;
     const std::size_t count = glide_steps.size() - first;
     if (!keep_pieces_ || count == 0) return;
     const auto velocity = [&](const GlideStep& step) { return Vec3(step.vx * down + step.vy * aside); };
@@ -194,6 +205,7 @@ class RockLog {
   std::vector<Impact> impacts;  // only if requested
   std::vector<BarrierHit> hits;
   std::vector<PassedAbove> passed_above;
+  RockWays ways;
 
  private:
   bool keep_rows_, keep_pieces_, keep_impacts_ = false;
