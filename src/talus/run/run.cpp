@@ -13,6 +13,7 @@
 #include "talus/files/output_file.hpp"
 #include "talus/run/checkpoint.hpp"
 #include "talus/run/finished_run.hpp"
+#include "talus/run/other_model.hpp"
 #include "talus/run/report_inputs.hpp"
 #include "talus/run/result_files.hpp"
 #include "talus/run/run_on_ranks.hpp"
@@ -140,6 +141,9 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
       options.say(fmt::format("replacing the results in {}: {}", folder.string(), *earlier));
     }
   }
+  Problems doubts;
+  if (const auto found = compare_models(project, model, options.campaign.threads)) warn_of_other_model(*found, doubts);
+  for (const Problem& doubt : doubts.list()) description.warnings.push_back(doubt.text());
   // Before anything of an earlier run is changed.
   check_that_results_have_room(folder, description, options.shard);
   description.inputs = report_inputs(project);
@@ -186,7 +190,8 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
     try {
       const StopScope closing(was_asked ? nullptr : options.campaign.stop, was_asked ? &limit : nullptr);
       auto [found, trajectories] = write_results(folder, description, sums, course);
-      result.warnings = std::move(found);
+      result.warnings = doubts;
+      result.warnings.append(found);
       result.trajectories = trajectories;
     } catch (const std::bad_alloc&) {
       if (options.checkpoint_every > 0 || options.shard) checkpoints.write(outcome.done);
