@@ -119,6 +119,20 @@ test('typed text survives a visit to the start page and a reload', async ({ work
   await title(page, 'Three');
 });
 
+test('after a reload, Undo does not empty a project that was never saved', async ({ workbench: page }) => {
+  await page.getByRole('button', { name: 'Empty, 3D' }).click();
+  await backToModel(page);
+  const kept = drafted(page);
+  await rename(page, 'First');
+  await kept;
+  await page.reload();
+  await title(page, 'First');
+  await expect(page.getByRole('button', { name: 'Undo' })).toBeDisabled();
+  await fillField(page, 'Name', 'Second');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  await title(page, 'First');
+});
+
 test('a new project does not replace one that was never saved', async ({ workbench: page }) => {
   const begin = () => page.getByRole('button', { name: 'Empty, 3D' }).click();
   await begin();

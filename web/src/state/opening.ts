@@ -28,13 +28,15 @@ async function read(name: string, locals: readonly LocalDraft[]): Promise<Projec
   }
 }
 
-/// Opens a project of the folder and restores its draft, if any; Undo returns to the saved text. A draft of an earlier
-/// file keeps that file's hash, so that saving does not overwrite the new file without asking.
+/// Opens a project of the folder and restores its draft, if any. Undo returns to the saved text; of a project that has no
+/// file, the draft is the first text. A draft of an earlier file keeps that file's hash, so that saving does not overwrite
+/// the new file without asking.
 export async function open(name: string) {
   const locals = localDraftsOf(name);
   const project = await read(name, locals);
   const { chosen: draft, aside, superseded } = choiceOf(project.text, project.draft, locals);
-  begin(name, project.text, project.text, project.saved);
+  const first = project.saved === null && draft !== null ? draft.text : project.text;
+  begin(name, first, project.text, project.saved);
   recordDraft(name, project.draft);
   setKnownFile(project.saved);
   discard(name, superseded);
