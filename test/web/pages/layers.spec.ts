@@ -88,14 +88,46 @@ test('a picture is draped over the terrain; a road becomes a line to ask, as doe
   await expect.poll(async () => Math.abs(Number(await first.inputValue()) - 2600150)).toBeLessThan(3);
 });
 
+const drop = (page: Page, name: string, text: string) =>
+  page.evaluate(
+    ([called, content]) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([content!], called!));
+      document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    },
+    [name, text],
+  );
+const usesOf = (page: Page, name: string) => page.getByRole('dialog', { name: `What is ${name}?` }).locator('.drop-uses span:first-child').allTextContents();
+const nets = lines('', [[7.4392, 46.9515], [7.4392, 46.9523]], [[7.44, 46.9515], [7.4401, 46.9523]]); // degrees
+
+test('no dropped file replaces the terrain unasked', async ({ workbench: page, server }) => {
+  await open(page, server);
+  const before = server.read('site.toml');
+  for (const name of ['cloud.las', 'rock.ply']) {
+    await drop(page, name, 'not read before it is chosen');
+    await expect.poll(() => usesOf(page, name)).toEqual(['The terrain', 'Only store it']);
+    await page.getByRole('dialog', { name: `What is ${name}?` }).getByRole('button', { name: 'Only store it' }).click();
+  }
+  expect(server.has('cloud.las')).toBe(true);
+  expect(await projectText(page)).toBe(before);
+});
+
+test('a file dropped before the model is built can be what it can be afterwards', async ({ workbench: page, server }) => {
+  write(server);
+  await page.reload();
+  await page.route('**/api/models', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    await route.continue();
+  });
+  await openProject(page, 'site.toml');
+  await drop(page, 'nets.geojson', nets);
+  const uses = ['Reference layer', '2 barriers', '2 collectors', 'Release lines', 'A line to ask', 'The terrain', 'Only store it'];
+  await expect.poll(() => usesOf(page, 'nets.geojson')).toEqual(uses);
+});
+
 test('a dropped file becomes barriers, as one step of Undo', async ({ workbench: page, server }) => {
   await open(page, server);
-  const text = lines('', [[7.4392, 46.9515], [7.4392, 46.9523]], [[7.44, 46.9515], [7.4401, 46.9523]]); // degrees
-  await page.evaluate((content) => {
-    const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File([content], 'nets.geojson'));
-    document.body.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
-  }, text);
+  await drop(page, 'nets.geojson', nets);
   const dialog = page.getByRole('dialog', { name: 'What is nets.geojson?' });
   await dialog.getByRole('button', { name: '2 barriers' }).click();
   await expect(dialog).toHaveCount(0);

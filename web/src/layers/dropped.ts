@@ -5,18 +5,18 @@ import { getJson, Refused } from '../api/client';
 import type { Problem } from '../api/types';
 import { fileFormats } from '../generated/schema';
 import { changeWay, groundWays } from '../model/groundWays';
-import { files, fittingName, uploadFiles } from '../model/files';
+import { uploadFiles } from '../model/files';
 import { isPointText, type FileKind } from '../model/fileEndings';
 import { materialNames } from '../model/form/references';
 import type { Edit, TableName } from '../model/names';
-import { nameOf, tableAt } from '../model/place';
+import { is2d, nameOf, tableAt } from '../model/place';
 import { isOfTerrain, takeTerrain, terrainAmong, terrainOfFile, useTerrainFile } from '../model/terrainFile';
 import { kindOf } from '../model/terrainKinds';
 import { sectionEdits } from '../model/sectionFile';
 import { inFolder } from '../calibration/observations';
 import { edit, file, rowsOf } from '../state/document';
 import { ofProject } from '../state/ofProject';
-import { model } from '../state/model';
+import { modelNow } from '../state/model';
 import { chosen, isAsking, sidePanel } from '../state/view';
 import { unpacked } from './unzip';
 import { triedAs, triedBoth } from './triedTerrain';
@@ -44,15 +44,15 @@ export const hasRaster = (list: readonly File[]) => list.some(({ name }) => ['ra
 export const isTableOrLines = (name: string) => isPointText(name) || fileKind(name) === 'vector';
 
 const hasTerrain = () => kindOf(tableAt(['terrain'])) !== undefined;
-const isInSpace = () => hasTerrain() && model.value?.dimension === 3;
+const isInSpace = () => hasTerrain() && !is2d.value;
+const canBeLayer = (name: string) => ['raster', 'picture', 'vector'].includes(fileKind(name) ?? '');
 
 /// The one of stored files that is asked about: one of a GIS beside a terrain in 3D, otherwise the likeliest terrain; not
-/// the present one.
-function askedAmong(names: readonly string[]): string | undefined {
-  const name = isInSpace() ? fittingName('file', names, files.value, 'layer') : terrainAmong(names)?.name;
-  if (name === undefined || isOfTerrain(name)) return undefined;
-  const isDrawn = isInSpace() && ['raster', 'picture'].includes(fileKind(name) ?? '');
-  return isDrawn || isTableOrLines(name) ? name : undefined;
+/// the present one. Whatever would replace a terrain is asked about.
+function askedAmong(stored: readonly string[]): string | undefined {
+  const names = stored.filter((name) => !isOfTerrain(name));
+  const name = (isInSpace() ? names.find(canBeLayer) : undefined) ?? terrainAmong(names)?.name;
+  return name !== undefined && (hasTerrain() || isTableOrLines(name)) ? name : undefined;
 }
 
 /// Stores files beside the project, and takes them.
@@ -85,18 +85,19 @@ export async function takeStored(names: readonly string[]) {
 /// What a file can be, and what the server says about it.
 async function readAs(name: string, kind: FileKind): Promise<Pick<Dropped, 'shapes' | 'choices' | 'problems'>> {
   const project = file.value!;
-  if (!isTableOrLines(name)) return { shapes: null, choices: choicesFor(kind, null), problems: [] };
-  if (!isInSpace() || kind !== 'vector') {
+  if (!isTableOrLines(name)) return { shapes: null, choices: choicesFor(kind, null, { isInSpace: isInSpace() }), problems: [] };
+  const model = kind === 'vector' && isInSpace() ? await modelNow() : null;
+  if (!model) {
     const tried = await triedBoth(name, project, terrainOfFile(name)!.key);
     return { shapes: null, choices: terrainChoices(kind, tried), problems: refusals(tried) };
   }
-  const lines = `/api/models/${model.value!.id}/lines?file=${encodeURIComponent(inFolder(name))}`;
+  const lines = `/api/models/${model.id}/lines?file=${encodeURIComponent(inFolder(name))}`;
   const read = getJson<{ shapes: ReadShape[]; problems: Problem[] }>(lines).catch((error: unknown) => {
     if (error instanceof Refused) return { shapes: null, problems: error.problems };
     throw error;
   });
   const [{ shapes, problems }, section] = await Promise.all([read, triedAs('section', name, project)]);
-  return { shapes, problems, choices: choicesFor(kind, shapes, 'terrain' in section) };
+  return { shapes, problems, choices: choicesFor(kind, shapes, { isSection: 'terrain' in section }) };
 }
 
 const namesIn = (...keys: TableName[]) => keys.flatMap((key) => rowsOf(key).map((_, index) => nameOf(key, index)));

@@ -8,6 +8,9 @@ const uses = (...args: Parameters<typeof choicesFor>) => choicesFor(...args).map
 test('a file can be what its shapes allow', () => {
   expect(uses('picture', null)).toEqual(['layer', 'store']);
   expect(uses('raster', null)).toEqual(['layer', 'terrain', 'store']);
+  expect(uses('raster', null, { isInSpace: false })).toEqual(['terrain', 'store']);
+  expect(uses('points', null)).toEqual(['terrain', 'store']); // a point cloud
+  expect(uses('mesh', null)).toEqual(['terrain', 'store']);
   expect(uses('vector', [line])).toEqual(['layer', 'barrier', 'collector', 'release', 'ask', 'terrain', 'store']);
   expect(uses('vector', [area])).toEqual(['layer', 'release', 'ground', 'ask', 'store']);
   expect(uses('vector', null)).toEqual(['layer', 'store']);
@@ -27,7 +30,7 @@ test('a table is a section if its points follow a line, and a survey if they wan
   expect(asked(built(100, 0, 100_001), built(100))).toEqual(['terrain', 'section', 'store']);
   expect(asked(built(100), refused('has no y'))).toEqual(['section', 'store']);
   expect(asked(refused('two lines'), built(9, 9))).toEqual(['terrain', 'store']);
-  expect(uses('vector', [line], true)).toContain('section');
+  expect(uses('vector', [line], { isSection: true })).toContain('section');
 });
 
 test('a file that is no section says why', () => {

@@ -67,11 +67,15 @@ export function refusals({ section, survey }: Tried): Problem[] {
   ];
 }
 
-/// What can be chosen for a file beside a terrain in 3D; `shapes`: the lines and areas in it, null if it has none or
-/// cannot be placed.
-export function choicesFor(kind: FileKind, shapes: readonly ReadShape[] | null, isSection = false): Choice[] {
+const newTerrain = (what: string): Choice => ({ use: 'terrain', title: 'The terrain', what: `${what}, in place of the present terrain` });
+
+/// What can be chosen for a file beside a terrain. Layers are drawn over one in 3D. `shapes`: the lines and areas in the
+/// file, null if it has none or cannot be placed.
+export function choicesFor(kind: FileKind, shapes: readonly ReadShape[] | null, { isSection = false, isInSpace = true } = {}): Choice[] {
   if (kind === 'picture') return [layer, store];
-  if (kind === 'raster') return [layer, { use: 'terrain', title: 'The terrain', what: 'its values are elevations, and replace the present terrain' }, store];
+  if (kind === 'raster') return [...(isInSpace ? [layer] : []), newTerrain('its values are elevations'), store];
+  if (kind === 'mesh') return [newTerrain('its triangles'), store];
+  if (kind === 'points') return [newTerrain('its points, joined by triangles'), store];
   const lines = shapes?.filter((shape) => shape.kind === 'line').length ?? 0;
   const areas = shapes?.filter((shape) => shape.kind === 'polygon').length ?? 0;
   const choices: Choice[] = [layer];
@@ -85,7 +89,7 @@ export function choicesFor(kind: FileKind, shapes: readonly ReadShape[] | null, 
   if (areas > 0) choices.push({ use: 'ground', title: 'Ground', what: 'materials by an attribute of its areas' });
   if (lines + areas > 0) choices.push({ use: 'ask', title: lines > 0 ? 'A line to ask' : 'An area to ask', what: 'which rocks get there, after a run' });
   if (isSection) choices.push({ ...section, what: 'a slope along this line, in place of the present terrain' });
-  if (lines > 0) choices.push({ use: 'terrain', title: 'The terrain', what: 'contours or breaklines of a survey, in place of the present terrain' });
+  if (lines > 0) choices.push(newTerrain('contours or breaklines of a survey'));
   return [...choices, store];
 }
 

@@ -16,6 +16,18 @@ export const layerProblems = signal<Problem[]>([]);
 export const isBuilding = signal(false);
 /// Whether the terrain has errors and `model` is that of an earlier text.
 export const isStale = signal(false);
+/// Whether the model of the present text and files is still to come.
+const isAwaited = signal(false);
+
+/// The model of the present text, once it is built; null: it cannot be built, or the project was closed.
+export const modelNow = (): Promise<Model | null> =>
+  new Promise((resolve) => {
+    const end: () => void = effect(() => {
+      if (isAwaited.value) return;
+      resolve(isStale.peek() ? null : model.peek());
+      queueMicrotask(() => end());
+    });
+  });
 
 let asking: AbortController | undefined;
 let timer: ReturnType<typeof setTimeout> | undefined;
@@ -34,10 +46,11 @@ async function ask(isWanted: (next: Model) => boolean) {
   const own = new AbortController();
   asking = own;
   isBuilding.value = true;
+  isAwaited.value = true;
   const begun = performance.now();
-  const name = file.value;
+  const [name, now] = [file.value, text.value];
   try {
-    const { model: shown, found } = await modelOf(name, text.value, own.signal);
+    const { model: shown, found } = await modelOf(name, now, own.signal);
     if (own.signal.aborted) return;
     resolve('model');
     lastTook = performance.now() - begun;
@@ -52,7 +65,10 @@ async function ask(isWanted: (next: Model) => boolean) {
     if (error instanceof Refused) problems.value = error.problems;
     else reportFailure(error, 'model');
   } finally {
-    if (asking === own) isBuilding.value = false;
+    if (asking === own) {
+      isBuilding.value = false;
+      if (file.value === name && text.value === now) isAwaited.value = false; // else a later text is
+    }
   }
 }
 
@@ -82,6 +98,7 @@ effect(() => {
   const name = file.value;
   void text.value;
   clearTimeout(timer);
+  isAwaited.value = name !== null;
   if (name === null) {
     asking?.abort();
     modelFile = null;
