@@ -70,6 +70,25 @@ TEST_F(SoFar, HasTrajectoriesOfTheRun) {
   }
 }
 
+TEST_F(SoFar, BecomesAStoppedRunWithAsManyTrajectoriesAsAWholeOne) {
+  const std::string id = begin(section(), {{"rocks", 3'000'000}});
+  (void)wait(id, [](const Json& now) { return now["done"] >= 1000; });
+  (void)ask(id, "stop");
+  (void)wait(id, [](const Json& now) { return now["state"] == "stopped" && now["has_results"] == true; });
+  const ArraysOf paths(get("/api/runs/" + id + "/paths"));
+  const auto rocks = paths.get<std::uint32_t>("rocks", "u32"), starts = paths.get<std::uint32_t>("starts", "u32");
+  ASSERT_EQ(rocks.size(), 20U) << "output.paths is 20";
+  EXPECT_GE(paths.header["total"], 1000);
+  EXPECT_TRUE(std::is_sorted(rocks.begin(), rocks.end()));
+  const auto times = paths.get<float>("times", "f32"), positions = paths.get<float>("positions", "f32");
+  for (const std::size_t k : {0U, 19U}) {
+    const Json end = get("/api/runs/" + id + "/rocks/" + std::to_string(rocks[k])).json()["rows"].back();
+    EXPECT_NEAR(times[starts[k + 1] - 1], std::stod(end[3].get<std::string>()), 1e-5);
+    const double x = paths.header["origin"][0].get<double>() + positions[3 * (starts[k + 1] - 1)];
+    EXPECT_NEAR(x, std::stod(end[4].get<std::string>()), 2e-3);  // the store's precision along the ground
+  }
+}
+
 TEST_F(SoFar, IsOfRunsInProgressOnly) {
   const std::string first = begin(section(), {{"rocks", 3'000'000}}), second = begin(section());
   (void)first_answer(first);

@@ -2,13 +2,20 @@
 
 #include <algorithm>
 #include <limits>
+#include <system_error>
 
 #include "talus/archive/path_arcs.hpp"
 #include "talus/archive/path_reader.hpp"
+#include "talus/export/stored_paths.hpp"
 
 namespace talus::server {
 
 namespace {
+
+[[noreturn]] void refuse_other_tables(const std::filesystem::path& file) {
+  throw BadInput(Problem{
+      .file = file.string(), .what = "does not match endpoints.csv", .why = "rocks are missing in one of the two"});
+}
 
 /// Height of points above the ground, NaN if unknown.
 class HeightAboveGround {
@@ -30,6 +37,35 @@ class HeightAboveGround {
  private:
   const Model* model_;
 };
+
+/// `rocks` paths of those in the store that have end points and pass the test.
+DrawnPaths drawn_of_store(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
+                          const Model* model, const RockTest& passes) {
+  const TrajectoryStore store(folder / trajectories_name);
+  const TableContext context = path_context_of(store.facts());
+  std::vector<std::uint64_t> all, drawn;
+  for (const std::uint64_t rock : store.rocks())
+    if (facts.in_tables.has_endpoint(rock) && (!passes || passes(rock))) all.push_back(rock);
+  const EvenChoice choice(rocks, all.size());
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (choice.contains(k)) drawn.push_back(all[k]);
+  DrawnPaths paths;
+  paths.rocks = end_points(folder, facts, [&](std::uint64_t rock) { return std::ranges::binary_search(drawn, rock); });
+  paths.rocks.total = all.size();
+  if (paths.rocks.rocks.size() < drawn.size()) refuse_other_tables(folder / trajectories_name);
+  StoredTrajectory trajectory;
+  Path path;
+  for (const std::uint64_t rock : drawn) {
+    store.read(*store.find(rock), trajectory);
+    path.rock = rock;
+    path.rows.resize(trajectory.rows.size());
+    for (std::size_t k = 0; k < path.rows.size(); ++k)
+      fill(path.rows[k], context, trajectory.record, k, trajectory.rows[k]);
+    add_path(paths, path, model);
+  }
+  paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
+  return paths;
+}
 
 }  // namespace
 
@@ -53,6 +89,9 @@ void add_path(DrawnPaths& paths, const Path& path, const Model* model) {
 DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
                        const Model* model, const RockTest& passes) {
   const TableRocks& tables = facts.in_tables;
+  std::error_code no_store;
+  if (facts.summary.rocks.done < facts.planned_rocks() && exists(folder / trajectories_name, no_store))
+    return drawn_of_store(folder, facts, std::min(rocks, tables.paths()), model, passes);
   const ChosenRocks chosen(
       rocks, facts.summary.rocks.done, [&](std::uint64_t rock) { return tables.paths_before(rock); },
       [&](std::uint64_t rock) { return tables.has_path(rock); }, passes);
@@ -61,18 +100,13 @@ DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& fact
   paths.rocks = end_points(folder, facts, wants);
   paths.rocks.total = chosen.total();
 
-  const auto refuse = [&] {
-    return BadInput(Problem{.file = (folder / PathEventRow::file_name).string(),
-                            .what = "does not match endpoints.csv",
-                            .why = "rocks are missing in one of the two"});
-  };
   PathReader reader(folder / PathEventRow::file_name);
   while (paths.starts.size() < paths.rocks.rocks.size() && reader.next(wants)) {
     const Path& path = reader.path();
-    if (path.rock != paths.rocks.rocks[paths.starts.size()]) throw refuse();
+    if (path.rock != paths.rocks.rocks[paths.starts.size()]) refuse_other_tables(folder / PathEventRow::file_name);
     add_path(paths, path, model);
   }
-  if (paths.starts.size() < paths.rocks.rocks.size()) throw refuse();
+  if (paths.starts.size() < paths.rocks.rocks.size()) refuse_other_tables(folder / PathEventRow::file_name);
   paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
   return paths;
 }

@@ -30,6 +30,9 @@ void add_path(DrawnPaths& paths, const Path& path, const Model* model);
 
 /// `rocks` paths of a finished run, evenly spread over those in its table that pass the test (empty: all), whose number
 /// is `DrawnPaths::rocks.total`. `model`: for the heights; may be null. Throws BadInput if a table is damaged.
+///
+/// The table has an even choice of the planned rocks, of which a run that was stopped early did few. If that run stored
+/// its trajectories, as many of them as the table was to have are taken instead.
 [[nodiscard]] DrawnPaths drawn_paths(const std::filesystem::path& folder, const RunFacts& facts, std::uint64_t rocks,
                                      const Model* model, const RockTest& passes = {});
 

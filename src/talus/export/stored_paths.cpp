@@ -3,18 +3,21 @@
 #include <string>
 
 #include "talus/archive/even_choice.hpp"
-#include "talus/archive/result_tables.hpp"
 #include "talus/core/stop.hpp"
 
 namespace talus {
 
-void write_stored_paths(const TrajectoryStore& store, std::optional<std::uint64_t> wanted, TextSink& out) {
-  const StoreFacts& facts = store.facts();
+TableContext path_context_of(const StoreFacts& facts) {
   TableContext context;
   context.frame.origin = facts.origin;
   context.gravity = facts.gravity.norm();
   context.energy_datum = facts.energy_datum;
   context.seeders = facts.seeders;
+  return context;
+}
+
+void write_stored_paths(const TrajectoryStore& store, std::optional<std::uint64_t> wanted, TextSink& out) {
+  const TableContext context = path_context_of(store.facts());
   const std::uint64_t rocks = store.rocks().size();
   const EvenChoice choice(wanted.value_or(rocks), rocks);
   std::string text = header_of<PathEventRow>();
