@@ -498,7 +498,7 @@ class Seeder(Table):
 
     direction: [x, z] in 2D, [x, y, z] in 3D, of any length: of the horizontal velocity (then z is 0) or of
     `speed_m_s`. Or `"downslope"`: down the ground below the release, with `speed_m_s` along it; [1, 0, 0] where the
-    ground is level. Default: [1, 0, 0].
+    ground is level. Without it: `"downslope"` for the cells of an area, else `[1, 0, 0]`.
     """
 
     name: str | None = None

@@ -125,11 +125,6 @@ const std::vector<SeederCase> seeder_cases{
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nlayer = \"a\"\nsource_attribute = \"b\"\n",
      "13: warning: seeder \"Cliff\": layer has no effect (it belongs to a file of lines, polygons or rows)\n"
      "14: warning: seeder \"Cliff\": source_attribute has no effect (it belongs to a file of lines, polygons or rows)"},
-    {"AnAreaLaunchedOneWay",
-     "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nhorizontal_velocity_m_s = 2\n",
-     "13: warning: seeder \"Cliff\": horizontal_velocity_m_s is given without a direction (all rocks of the area start "
-     "eastwards, [1, 0, 0], whichever way the slope faces). Write direction = \"downslope\", or one direction, [x, y, "
-     "z]"},
     {"AnAreaWithADirection",
      "type = \"polygon\"\ncell_m = 1\npolygon = [[0, 0], [5, 0], [0, 5]]\nspeed_m_s = 2\ndirection = [0, 1, 0]\n", ""},
     {"AnAreaLaunchedDownItsSlopes",

@@ -261,6 +261,29 @@ TEST(ReadProject, AcceptsDownslopeAsADirection) {
   EXPECT_EQ(read_with(smallest, {"seeder.0.direction=downslope"}).seeders[0].direction, std::nullopt);
 }
 
+TEST(ReadProject, ReleasesRocksOfAnAreaDownslopeUnlessItSaysOtherwise) {
+  const auto direction_of = [](const std::string& seeder) {
+    return read(R"(
+[terrain]
+vertices = [[0, 0, 0], [10, 0, -5], [0, 10, 0]]
+triangles = [[0, 1, 2]]
+[[material]]
+name = "Rock"
+[[seeder]]
+mass_kg = 1
+horizontal_velocity_m_s = 2
+)" + seeder)
+        .seeders[0]
+        .direction;
+  };
+  const std::array<double, 3> east{1, 0, 0}, north{0, 1, 0};
+  const std::string polygon = "type = \"polygon\"\npolygon = [[0, 0], [5, 0], [0, 5]]\ncell_m = 1\n";
+  EXPECT_EQ(direction_of(polygon), std::nullopt);
+  EXPECT_EQ(direction_of("type = \"raster\"\nmin_slope_deg = 9\ncell_m = 1\n"), std::nullopt);
+  EXPECT_EQ(direction_of(polygon + "direction = [0, 1, 0]\n"), north);
+  EXPECT_EQ(direction_of("position = [1, 1, 1]\n"), east);
+}
+
 TEST(ReadProject, AcceptsSegmentsWithoutADefault) {
   const Project project = read(R"(
 [terrain]

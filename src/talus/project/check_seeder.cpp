@@ -92,17 +92,6 @@ void SeederRules::check_cells() const {
     refuse("cell_m", "cell_m is missing", "the terrain is not a raster, so it has no cells of its own",
            "Give the size of the cells from which rocks start, in metres");
   }
-  check_direction();
-}
-
-// The slopes of an area face in many directions.
-void SeederRules::check_direction() const {
-  for (const std::string_view key : {"horizontal_velocity_m_s", "speed_m_s"}) {
-    if (!accepted(key) || has("direction")) continue;
-    report(accepted(key), fmt::format("{} is given without a direction", key),
-           "all rocks of the area start eastwards, [1, 0, 0], whichever way the slope faces",
-           "Write direction = \"downslope\", or one direction, [x, y, z]", Severity::warning);
-  }
 }
 
 void SeederRules::check_files() const {

@@ -33,7 +33,6 @@ struct SeederRules {
   /// Returns the key that it reported, present or missing; "" stands for the whole row.
   std::string_view refuse(std::string_view key, std::string what, std::string why, std::string hint = "") const;
   void check_cells() const;
-  void check_direction() const;
   void check_files() const;
 };
 

@@ -60,14 +60,17 @@ void complete(Project& project) {
   }
 }
 
-/// Each row of a table releases one rock, unless the project gives another number.
-void count_rows(const Document& document, Project& project) {
+/// Sets what seeders of a type have unless the project gives it: one rock for each row of a table; and the slopes of an
+/// area face in many directions, so its rocks start down them.
+void complete_seeders(const Document& document, Project& project) {
   const toml::array* rows = document.root()["seeder"].as_array();
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
     Seeder& seeder = project.seeders[i];
     const toml::table* row = rows ? (*rows)[i].as_table() : nullptr;
-    if (seeder.type == SeederType::table && !seeder.rocks_per_row && row && !row->contains("rocks"))
-      seeder.rocks_per_row = 1;
+    if (!row) continue;
+    if (seeder.type == SeederType::table && !seeder.rocks_per_row && !row->contains("rocks")) seeder.rocks_per_row = 1;
+    const bool is_area = seeder.type == SeederType::polygon || seeder.type == SeederType::raster;
+    if (is_area && !row->contains("direction")) seeder.direction.reset();
   }
 }
 
@@ -145,7 +148,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
     problems.add(about_option(fmt::format("--seed {}", *overrides.seed), "this is not a seed",
                               fmt::format("expected 0 to {}", most_seed)));
   }
-  count_rows(document, project);
+  complete_seeders(document, project);
   if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_place(project, *overrides.rocks, problems);
   if (!problems.has_errors()) complete(project);
   project.named_files = reader.named_files();

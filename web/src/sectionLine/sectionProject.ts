@@ -82,7 +82,8 @@ const velocities = ['horizontal_velocity_m_s', 'vertical_velocity_m_s', 'speed_m
 /// The direction of a release in the section: forwards or backwards along it, and up if it is one in space.
 function directionOf(row: Row<'seeder'>, [ux, uy]: Point2): TomlValue | undefined {
   if (row.horizontal_velocity_m_s === undefined && row.speed_m_s === undefined && row.rotational_velocity_deg_s === undefined) return undefined;
-  const given = row.direction ?? [1, 0, 0];
+  const isArea = row.type === 'polygon' || row.type === 'raster';
+  const given = row.direction ?? (isArea ? 'downslope' : [1, 0, 0]);
   if (!Array.isArray(given)) return given; // downslope
   const [x = 0, y = 0, z = 0] = given.map(Number);
   const along = x * ux + y * uy >= 0 ? Math.hypot(x, y) : -Math.hypot(x, y);

@@ -345,6 +345,7 @@ Table seeder_table() {
               {.key = "direction",
                .slot = direction_slot(),
                .range = within(largest_coordinate_m),
+               .without_it = "`\"downslope\"` for the cells of an area, else `[1, 0, 0]`",
                .group = "How fast",
                .meaning = "[x, z] in 2D, [x, y, z] in 3D, of any length: of the horizontal velocity (then z is 0) or "
                           "of `speed_m_s`. Or `\"downslope\"`: down the ground below the release, with `speed_m_s` "
