@@ -28,22 +28,30 @@ test('the library of materials adds a material only when one is chosen', async (
   await page.keyboard.press('ArrowDown');
   expect(await projectText(page)).toBe(before);
   await library.press('Enter');
-  const dialog = page.getByRole('dialog', { name: 'Add a material from the library' });
+  const dialog = page.getByRole('dialog', { name: 'Add materials from the library' });
   await expect(dialog).toBeVisible();
   await page.keyboard.press('ArrowDown');
   await page.keyboard.press('Escape');
   await expect(dialog).toHaveCount(0);
   expect(await projectText(page)).toBe(before);
   await library.press('Enter');
+  // The dialog stays open for more materials.
   await dialog.getByRole('button', { name: 'Add Talus cover', exact: true }).press('Enter');
-  await expect(page.getByRole('heading', { name: 'Talus cover' })).toBeFocused();
-  expect(await projectText(page)).toContain('like = "talus_cover"');
+  await dialog.getByRole('button', { name: 'Add Asphalt', exact: true }).press('Enter');
+  await expect(dialog.getByRole('row', { name: /^Talus cover/ })).toContainText('in the project');
+  await page.keyboard.press('Escape');
+  await expect(library).toBeFocused();
+  const text = await projectText(page);
+  expect(text).toContain('like = "talus_cover"');
+  expect(text).toContain('like = "asphalt"');
 });
 
 test('a library material with changed values is marked and offered another name', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, a section');
   await page.getByRole('button', { name: '+ From the library…' }).click();
   await page.getByRole('button', { name: 'Add Talus cover', exact: true }).click();
+  await page.keyboard.press('Escape');
+  await openForm(page, /^Talus cover/);
   const notice = page.getByText('Named like “Talus cover” of the library, with other values of: normal restitution.');
   await expect(notice).toHaveCount(0);
   await fillField(page, 'Normal restitution: mean', '0.6');

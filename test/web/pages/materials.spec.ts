@@ -1,7 +1,7 @@
 // A library of materials of one's own: values are saved from one project and copied into another.
 
 import type { Page } from '@playwright/test';
-import { backToModel, openExample, openForm, projectText, toStartPage } from '../support/steps';
+import { openExample, openForm, projectText, toStartPage } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
 const file = 'own.materials.toml';
@@ -9,7 +9,7 @@ const saveMaterial = (page: Page) => page.getByRole('button', { name: 'Save to m
 
 async function openLibrary(page: Page) {
   await page.getByRole('button', { name: '+ From the library…' }).click();
-  return page.getByRole('dialog', { name: 'Add a material from the library' });
+  return page.getByRole('dialog', { name: 'Add materials from the library' });
 }
 
 test('a material is saved, replaced, used in another project, and deleted', async ({ workbench: page, server }) => {
@@ -48,12 +48,13 @@ friction_angle_deg = 30
   await expect(own.getByRole('row', { name: /^My scree/ })).toContainText('38');
   await expect(own.getByRole('rowheader', { name: 'Type Two' })).toHaveAttribute('title', `saved from tutorial-1/tutorial-1-2d.toml, ${today}`);
   await own.getByRole('button', { name: 'Add My scree' }).click();
+  await expect(own.getByRole('row', { name: /^My scree/ })).toContainText('in the project');
+  // The dialog stays, for more than one.
+  await own.getByRole('button', { name: 'Add Type Two' }).click();
+  await dialog.getByRole('button', { name: 'Close' }).click();
   await expect.poll(() => projectText(page)).toContain(`# From ${file}\n[[material]]\nname = "My scree"\nlike = "talus_cover"\nfriction_angle_deg = 38\n`);
-  await backToModel(page);
-  await (await openLibrary(page)).getByRole('button', { name: 'Add Type Two' }).first().click();
-  await expect.poll(() => projectText(page)).toContain(`# From ${file}, saved there from tutorial-1/tutorial-1-2d.toml on ${today}\n[[material]]\n`);
+  expect(await projectText(page)).toContain(`# From ${file}, saved there from tutorial-1/tutorial-1-2d.toml on ${today}\n[[material]]\n`);
 
-  await backToModel(page);
   const again = await openLibrary(page);
   await again.getByRole('button', { name: 'Delete My scree from my materials' }).click();
   await again.getByRole('button', { name: 'Delete My scree from my materials for good' }).click();

@@ -4,10 +4,11 @@ import { rowsOf } from '../state/document';
 import { attempt, reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
 import { library, loadLibrary } from './library';
+import { isNameOf } from './likeness';
 import { addOwn, loadOwn, ownMaterials, removeOwn } from './ownMaterials';
 import type { KeyOf } from './names';
 import { freshName } from './place';
-import { add } from './things';
+import { append } from './things';
 import { valueText } from './words';
 
 const allColumns: [KeyOf<'material'>, string][] = [
@@ -21,7 +22,15 @@ const allColumns: [KeyOf<'material'>, string][] = [
 
 function addMaterial({ key, name }: LibraryMaterial) {
   const isTaken = rowsOf('material').some((row) => row.name === name);
-  add('material', { name: isTaken ? freshName(['material'], name) : name, like: key }, `add ${name}`);
+  append('material', { name: isTaken ? freshName(['material'], name) : name, like: key }, `add ${name}`);
+}
+
+/// How many materials of the project are this one by their names.
+const countOf = (name: string) => rowsOf('material').filter((row) => isNameOf(row.name, name)).length;
+
+function InProject({ name }: { name: string }) {
+  const count = countOf(name);
+  return count === 0 ? null : <span class="faint"> {count === 1 ? 'in the project' : `${count} in the project`}</span>;
 }
 
 interface Row {
@@ -63,6 +72,7 @@ function Materials({ caption, rows }: { caption: string; rows: Row[] }) {
                 <button class="button" aria-label={`Add ${name}`} onClick={addIt}>
                   Add
                 </button>
+                <InProject name={name} />
                 {remove && (
                   <button
                     class="button plain danger"
@@ -86,7 +96,7 @@ function Materials({ caption, rows }: { caption: string; rows: Row[] }) {
   );
 }
 
-/// Adds a material with the values of one in the library, or in the library of one's own.
+/// Adds materials with the values of those in the library, or in the library of one's own.
 export function LibraryChoice() {
   const [isOpen, open] = useState(false);
   useEffect(loadLibrary, []);
@@ -111,7 +121,7 @@ export function LibraryChoice() {
         + From the library…
       </button>
       {isOpen && (
-        <Dialog title="Add a material from the library" close={() => open(false)}>
+        <Dialog title="Add materials from the library" close={() => open(false)}>
           {own.length > 0 && <Materials caption="My materials" rows={own} />}
           <Materials
             caption="From the literature"

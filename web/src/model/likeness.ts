@@ -22,7 +22,7 @@ function meanOnly(value: unknown): unknown {
 }
 
 /// "Coarse talus 2" also counts as the name of "Coarse talus".
-const isNameOf = (name: unknown, of: string) => typeof name === 'string' && name.toLowerCase().replace(/ \d+$/, '') === of.toLowerCase();
+export const isNameOf = (name: unknown, of: string) => typeof name === 'string' && name.toLowerCase().replace(/ \d+$/, '') === of.toLowerCase();
 
 /// Null if the material is unrelated to the library.
 export function likeness(material: Row<'material'>, list: readonly LibraryMaterial[]): Likeness | null {

@@ -14,7 +14,7 @@ import type { Row } from './names';
 import { readFolder } from './files';
 import { freshName } from './place';
 import { isTable } from './tables';
-import { add } from './things';
+import { append } from './things';
 
 export const ownFile = 'own.materials.toml';
 
@@ -98,7 +98,7 @@ export const removeOwn = (name: string) =>
 export function addOwn({ name, values, from, on }: OwnMaterial) {
   const isTaken = rowsOf('material').some((row) => row.name === name);
   const source = `From ${ownFile}${from && `, saved there from ${from}`}${on && ` on ${on}`}`.replace(/[\p{Cc}]/gu, ' ');
-  add('material', { ...values, name: isTaken ? freshName(['material'], name) : name }, `add ${name}`, source);
+  append('material', { ...values, name: isTaken ? freshName(['material'], name) : name }, `add ${name}`, source);
 }
 
 /// Whether a material names a file, which other projects would not find.

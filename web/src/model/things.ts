@@ -33,12 +33,17 @@ function first(key: TableName): Row {
   }
 }
 
-/// Adds an entry as one step and opens its form.
-export function add(key: TableName, more: Row = {}, what = `add a ${key}`, comment?: string) {
+/// Adds an entry as one step. Returns false if that is not possible.
+export function append(key: TableName, more: Row = {}, what = `add a ${key}`, comment?: string): boolean {
   const value = { name: freshName(family(key), words[key] ?? key), ...first(key), ...more };
+  const ground = key === 'material' && rowsOf(key).length === 1 ? defaultGround() : [];
+  return edit(what, [{ append: [key], value, ...(comment !== undefined && { comment }) }, ...ground]);
+}
+
+/// Adds an entry as one step and opens its form.
+export function add(key: TableName, more: Row = {}, what?: string) {
   const index = rowsOf(key).length;
-  const ground = key === 'material' && index === 1 ? defaultGround() : [];
-  if (edit(what, [{ append: [key], value, ...(comment !== undefined && { comment }) }, ...ground])) chosen.value = [key, index];
+  if (append(key, more, what)) chosen.value = [key, index];
 }
 
 /// With a second material the ground needs a default material, unless materials are already assigned.
