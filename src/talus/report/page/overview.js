@@ -22,7 +22,7 @@ function cards(parent) {
   card('Mean runout (plan)', of('runout_xy_m', 'mean', 'm'));
   card('Maximum runout (plan)', of('runout_xy_m', 'maximum', 'm'));
   card('Maximum total kinetic energy', of('max_ke_J', 'maximum', 'J'));
-  card('Maximum bounce height (lowest point)', of('max_bounce_m', 'maximum', 'm'));
+  card('Maximum height above ground (lowest point), free falls included', of('max_bounce_m', 'maximum', 'm'));
   const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
   if (names.length > 0 && names.length <= 2) {
     for (const name of names) {
