@@ -65,7 +65,7 @@ test('a bookmark of a section restores run, rock, form and view', async ({ workb
 test('a bookmark of a terrain restores map and view, also after a restart of the server', async ({ workbench: page, server }) => {
   await openExample(page, 'Cliffs from a GIS');
   await tab(page, 'Maps').click();
-  await page.getByRole('button', { name: 'passages', exact: true }).click();
+  await page.getByRole('button', { name: 'rocks that were in the cell', exact: true }).click();
   const canvas = page.locator('.scene canvas').first();
   await canvas.press('2');
   await expect.poll(() => addressOf(page)).toMatch(/&map=passages&view=plan$/);
@@ -78,7 +78,7 @@ test('a bookmark of a terrain restores map and view, also after a restart of the
   await page.goto('about:blank');
   await page.goto(address);
   await expect(tab(page, 'Maps')).toHaveAttribute('aria-selected', 'true');
-  await expect(page.getByRole('button', { name: 'passages', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('button', { name: 'rocks that were in the cell', exact: true })).toHaveAttribute('aria-pressed', 'true');
   await expect(() => expectSameAddress(page.url(), address)).toPass();
 });
 

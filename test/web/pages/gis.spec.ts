@@ -55,7 +55,7 @@ test('a seeder and a barrier are drawn on a terrain file, and a map is draped ov
   await page.getByRole('button', { name: 'Compute', exact: true }).click();
   await runIsShown(page);
   await page.getByRole('tab', { name: 'Maps' }).click();
-  await page.getByRole('button', { name: 'passages' }).click();
+  await page.getByRole('button', { name: 'rocks that were in the cell', exact: true }).click();
   await expect(page.locator('.legend').filter({ hasText: 'Rocks that were in the cell' })).toBeVisible();
 });
 

@@ -86,7 +86,8 @@ test('a map shows classes, range and the value under the pointer, and hides traj
   await openExample(page, 'Maungawhau');
   await page.getByRole('tab', { name: 'Maps' }).click();
   await expect(page.getByText('Speed, m/s')).toBeVisible();
-  await page.getByRole('button', { name: /^energy_total_max/ }).click();
+  await page.getByRole('group', { name: 'Total kinetic energy' }).getByRole('button', { name: 'maximum over all rocks' }).click();
+  await expect(page.getByRole('link', { name: 'energy_total_max_kJ.tif' })).toBeVisible();
   const legend = page.locator('.legend.classes');
   await expect(legend.locator('figcaption')).toContainText('kJ');
   for (const text of ['< 30', '30 – 100', '100 – 300', '300 – 1,000', '1,000 – 3,000', '≥ 3,000'])

@@ -6,30 +6,49 @@ import { OverMap } from '../maps/OverMap';
 import { drapedMap, drapedOpacity } from '../state/view';
 import { numberText } from '../ui/format';
 import { displayOf } from '../state/displayUnits';
+import { mapGroups, type MapGroup } from './mapGroups';
 import { useRemote } from './remote';
 import { Waiting } from './Waiting';
 
-function Row({ run, map }: { run: Run; map: RunMap }) {
-  const { unit, per } = displayOf(map.unit);
-  const isShown = drapedMap.value === map.name;
+const rangeOf = ({ least, most, unit }: RunMap) => {
+  const { unit: shown, per } = displayOf(unit);
+  return `${numberText(least / per)} to ${numberText(most / per)} ${shown}`.trim();
+};
+
+function Group({ of: { title, unit, source, maps }, hasSources }: { of: MapGroup; hasSources: boolean }) {
+  const { unit: shown } = displayOf(unit);
   return (
-    <tr class={isShown ? 'chosen' : ''}>
+    <tr>
       <th scope="row">
-        <button class="button" aria-pressed={isShown} onClick={() => (drapedMap.value = isShown ? null : map.name)}>
-          {map.name}
-        </button>
+        {title}
+        {shown && `, ${shown}`}
       </th>
-      <td class="words">{map.meaning}</td>
-      <td class="number">{numberText(map.least / per)}</td>
-      <td class="number">{numberText(map.most / per)}</td>
-      <td>{unit}</td>
-      <td>{map.source ?? 'all'}</td>
-      <td>
-        <a href={fileAddress(run.id, `maps/${map.name}.tif`)} download>
-          GeoTIFF
-        </a>
+      {hasSources && <td>{source ?? 'all'}</td>}
+      <td class="words">
+        <div class="map-choices" role="group" aria-label={source === null ? title : `${title}, ${source}`}>
+          {maps.map(({ map, part }) => {
+            const isShown = drapedMap.value === map.name;
+            return (
+              <button key={map.name} class="button" aria-pressed={isShown} title={`${rangeOf(map)}; ${map.name}.tif`} onClick={() => (drapedMap.value = isShown ? null : map.name)}>
+                {part}
+              </button>
+            );
+          })}
+        </div>
       </td>
     </tr>
+  );
+}
+
+/// The range and the file of the draped map.
+function Draped({ run, map }: { run: Run; map: RunMap }) {
+  return (
+    <span>
+      <strong>{map.meaning}</strong>, {rangeOf(map)}:{' '}
+      <a href={fileAddress(run.id, `maps/${map.name}.tif`)} download>
+        {map.name}.tif
+      </a>
+    </span>
   );
 }
 
@@ -39,10 +58,12 @@ export function Maps({ run }: { run: Run }) {
   if (!maps) return <Waiting of={answer} />;
   if (maps.length === 0)
     return <div class="empty">This run has no maps. Maps are made in 3D if they are selected under Output.</div>;
+  const draped = maps.find(({ name }) => name === drapedMap.value);
+  const hasSources = maps.some(({ source }) => source !== null);
   return (
     <div class="tab-page">
       <div class="tab-tools">
-        <span class="faint">Choose a map to drape it over the terrain.</span>
+        {draped ? <Draped run={run} map={draped} /> : <span class="faint">Choose a map to drape it over the terrain.</span>}
         <OverMap />
         <label class="choice">
           Opacity
@@ -60,16 +81,16 @@ export function Maps({ run }: { run: Run }) {
         <table>
           <thead>
             <tr>
-              {['Map', 'Meaning', 'Minimum', 'Maximum', 'Unit', 'Source', 'File'].map((title) => (
-                <th key={title} scope="col" class={title === 'Minimum' || title === 'Maximum' ? 'number' : ''}>
+              {['Quantity', ...(hasSources ? ['Source'] : []), 'Maps'].map((title) => (
+                <th key={title} scope="col">
                   {title}
                 </th>
               ))}
             </tr>
           </thead>
           <tbody>
-            {maps.map((map) => (
-              <Row key={map.name} run={run} map={map} />
+            {mapGroups(maps).map((group) => (
+              <Group key={`${group.title} ${group.source ?? ''}`} of={group} hasSources={hasSources} />
             ))}
           </tbody>
         </table>
