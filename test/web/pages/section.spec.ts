@@ -110,3 +110,17 @@ test('a typed line is followed by keys, and its end outside the terrain is repor
   await page.getByRole('button', { name: 'Remove', exact: true }).click();
   await expect(page.getByRole('region', { name: 'Results' })).toBeHidden();
 });
+
+test('a new section shows a hundred metres', async ({ workbench: page }) => {
+  await page.getByRole('button', { name: 'Section, 2D' }).click();
+  const box = (await page.getByRole('img', { name: /^The slope in section/ }).boundingBox())!;
+  const xAt = async (share: number) => {
+    await page.mouse.move(box.x + share * box.width, box.y + 0.5 * box.height);
+    await expect(page.locator('.status-line .mono')).toContainText(/x -?[\d.]+ z/);
+    await page.waitForTimeout(100); // until the next frame
+    return Number(/x (-?[\d.]+)/.exec((await page.locator('.status-line .mono').textContent())!)![1]);
+  };
+  const [left, right] = [await xAt(0.05), await xAt(0.95)];
+  expect(right - left).toBeGreaterThan(90);
+  expect(right - left).toBeLessThan(130);
+});

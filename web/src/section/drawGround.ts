@@ -47,7 +47,9 @@ export function drawAxes(pen: CanvasRenderingContext2D, frame: Frame, look: Look
   const [right, low] = placeOf(frame, frame.width, frame.height);
   const stepX = roundStep(tickDistance / frame.along);
   const stepZ = roundStep((0.7 * tickDistance) / frame.up);
-  const bottom = frame.height - 30;
+  // Above the strip along the lower edge, which is higher while it has the hint of a tool.
+  const strips = covered.filter((box) => box.left <= 0 && box.right >= frame.width && box.bottom >= frame.height);
+  const bottom = Math.min(frame.height - 30, ...strips.map((box) => box.top));
   pen.font = '11px system-ui, sans-serif';
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';

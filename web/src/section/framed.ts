@@ -22,6 +22,13 @@ export const roomOf = ({ width, height }: Pick<Frame, 'width' | 'height'>): Box 
   right: Math.max(width - 12, 66),
   bottom: Math.max(height - 50, 28),
 });
+/// What a section shows before it has vertices: a hundred metres of a slope that begins at the lower left [m].
+function emptyFrame(size: { width: number; height: number }): Frame {
+  const [across, margin] = [120, 10];
+  const scale = size.width / across;
+  return { ...size, x: across / 2 - margin, z: size.height / scale / 2 - margin, along: scale, up: scale };
+}
+
 const nameHeight = 22; // of a name above the highest mark
 
 /// The bounds of the slope with its seeders and barriers.
@@ -85,7 +92,7 @@ export function keepFramed(host: HTMLElement): () => void {
     const { clientWidth: width, clientHeight: height } = host;
     const now = frame.peek();
     if (width === 0 || height === 0 || (now?.width === width && now.height === height)) return;
-    const next = { ...(now ?? { x: 0, z: 0, along: 1, up: 1 }), width, height };
+    const next = now ? { ...now, width, height } : emptyFrame({ width, height });
     if (!now || now === fittedLast) fittedLast = next;
     frame.value = next;
   });
