@@ -2,10 +2,12 @@
 
 import { effect } from '@preact/signals';
 import { Box3, Group, Vector3, type Object3D } from 'three';
-import type { Model, Point3 } from '../api/types';
+import type { Model, Point3, Run } from '../api/types';
+import { shownPaths, type DrawnPaths } from '../paths/drawnPaths';
 import { file } from '../state/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
+import { shown } from '../state/runs';
 import { markColours } from '../view/colours';
 import { drapedOpacity } from '../state/view';
 import { shownMap } from '../maps/shownMap';
@@ -19,9 +21,10 @@ import { Frame } from './frame';
 import { clear, dots, line, patch, walls } from './marks';
 import { MeshTerrain } from './meshTerrain';
 import { NameLayer, type Name } from './nameLayer';
-import { look, namedViews, type NamedView } from './namedViews';
+import { keepsDirection, look, namedViews, type NamedView } from './namedViews';
 import { mapTexture } from './mapTexture';
 import * as picture from './picture';
+import { resultPlaces } from './resultPlaces';
 import { Stage } from './stage';
 import { TerrainMaterial, type DrapedPicture } from './terrainMaterial';
 import type { Terrain } from './terrain';
@@ -54,6 +57,8 @@ export class ModelScene {
   /// Boxes of the page over the picture.
   private over: Box[] = [];
   private standing: Vector3[] = [];
+  /// The trajectories that named views show; null: they show the whole model.
+  private result: DrawnPaths | null = null;
   /// Of features of layers.
   layerNames: Name[] = [];
   private pictures: readonly DrapedPicture[] = [];
@@ -84,6 +89,7 @@ export class ModelScene {
       effect(() => this.drape()),
       effect(() => this.stretch(exaggeration.value)),
       effect(() => this.draw(overlays.value)),
+      effect(() => this.showResult(shown.value, shownPaths.value)),
       effect(() => {
         if (wantedCamera.value !== null && !picture.isLoading.value && this.shownFile === file.value) this.takeCamera();
       }),
@@ -276,7 +282,7 @@ export class ModelScene {
   private cameraNow(): string | null {
     const name = this.unmovedView();
     if (name === 'oblique') return null;
-    if (name !== null && name !== 'fit') return name;
+    if (name !== null && !keepsDirection(name)) return name;
     const { camera: eye, controls } = this.stage;
     const places = [eye.position, controls.target].map(({ x, y, z }) => this.frame.project({ x, y, z: z / this.stage.world.scale.z }));
     return cameraText(places.flat());
@@ -301,8 +307,18 @@ export class ModelScene {
 
   view(name: NamedView) {
     const { camera, controls } = this.stage;
-    look(this.stage, name, this.box, this.terrain?.samplePoints() ?? [], this.standing, this.over);
+    const ground = this.terrain?.samplePoints() ?? [];
+    const subject = this.result && name !== 'whole' ? resultPlaces(this.result, this.local(this.result.header.origin)) : { box: this.box, places: ground };
+    look(this.stage, name, subject, this.standing, ground, this.over);
     this.viewed = { name, eye: camera.position.clone(), target: controls.target.clone() };
+  }
+
+  /// Unless the user moved the view, it shows the result of another run once that is there.
+  private showResult(run: Run | null, paths: DrawnPaths | null) {
+    if (run && (!paths || paths.header.so_far)) return; // the earlier result stays until then
+    if (paths === this.result) return;
+    this.result = paths;
+    if (this.terrain && tool.peek() === null) this.refit();
   }
 
   /// Fits a named view again after the size of the picture or the boxes over it changed, unless the user moved it.

@@ -1,4 +1,4 @@
-// Named views of the whole model.
+// Named views: of the result of the shown run, or of the whole model.
 
 import { Box3, Vector3 } from 'three';
 import { bestBox, heightOf, widthOf, type Box, type Placed } from '../view/framing';
@@ -13,11 +13,15 @@ export const namedViews = {
   east: { title: 'From the east', key: '5' },
   west: { title: 'From the west', key: '6' },
   fit: { title: 'Fit', key: '7' },
+  whole: { title: 'Whole model', key: '8' },
 } as const;
 export type NamedView = keyof typeof namedViews;
 
+/// Whether a view is from where the camera is.
+export const keepsDirection = (name: NamedView): name is 'fit' | 'whole' => name === 'fit' || name === 'whole';
+
 // Directions from the model to the camera.
-const sides: Record<Exclude<NamedView, 'fit' | 'oblique'>, [number, number, number]> = {
+const sides: Record<Exclude<NamedView, 'fit' | 'whole' | 'oblique'>, [number, number, number]> = {
   plan: [0, -1e-4, 1],
   north: [0, 1, 0.12],
   south: [0, -1, 0.12],
@@ -86,21 +90,22 @@ function aimFor(seen: readonly { toward: number; x: number; y: number }[], box: 
   return { size: 1 / distance, points, distance, right, up, middle };
 }
 
-/// Moves the camera so that the model fills the free part of the picture, outside the boxes `over`. `ground` are points
-/// spread over the terrain; if there are few, its bounding box is used. `standing` are points of seeders and barriers.
+/// Moves the camera so that a subject fills the free part of the picture, outside the boxes `over`. `places` are points
+/// spread over it; if there are few, its bounding box is used. `standing` are points of seeders and barriers. The slope of
+/// the `ground` gives the direction of the oblique view.
 export function look(
   stage: Stage,
   name: NamedView,
-  box: Box3,
-  ground: readonly Vector3[],
+  { box, places: spread }: { box: Box3; places: readonly Vector3[] },
   standing: readonly Vector3[],
+  ground: readonly Vector3[],
   over: readonly Box[],
 ) {
   const { camera, controls } = stage;
   const stretch = new Vector3(1, 1, stage.world.scale.z);
-  const places = [...(ground.length < 30 ? corners(box) : ground), ...standing].map((point) => point.clone().multiply(stretch));
+  const places = [...(spread.length < 30 ? corners(box) : spread), ...standing].map((point) => point.clone().multiply(stretch));
   const from = (
-    name === 'fit'
+    keepsDirection(name)
       ? camera.position.clone().sub(controls.target)
       : name === 'oblique'
         ? oblique(ground)

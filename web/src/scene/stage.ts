@@ -46,7 +46,7 @@ export class Stage {
     canvas.setAttribute('role', 'application');
     canvas.setAttribute(
       'aria-label',
-      'Model in three dimensions. Arrow keys move the view, with Shift they rotate it, plus and minus zoom, 1 to 7 choose a named view.',
+      'Model in three dimensions. Arrow keys move the view, with Shift they rotate it, plus and minus zoom, 1 to 8 choose a named view.',
     );
     host.append(canvas);
     this.scene.add(this.world);
