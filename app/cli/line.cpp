@@ -186,15 +186,17 @@ void print_area(const Json& answer, const StoredSources& places, const Model& mo
   print_sources(answer.at("sources"), places, model);
 }
 
-/// "3.41 m (3.2 to 3.7)"; "unknown" is an end that more rocks would give.
-std::string distance_text(const Json& estimate) {
-  if (estimate.at(1).is_null() && estimate.at(2).is_null())
-    return fmt::format("{} m (too few rocks)", three_digits(estimate.at(0).get<double>()));
-  const auto end = [](const Json& value) {
-    return value.is_null() ? std::string("unknown") : three_digits(value.get<double>());
+/// "3.41 m (3.2 to 3.7)"; "unknown" is an end that more rocks would give. ">= 5 m": from `known_to` on (null: all are
+/// known) distances are those at which a barrier stopped rocks.
+std::string distance_text(const Json& estimate, const Json& known_to) {
+  const auto value = estimate.at(0).get<double>();
+  const bool is_cut = !known_to.is_null() && value >= known_to.get<double>();
+  const std::string text = fmt::format("{}{} m", is_cut ? ">= " : "", three_digits(value));
+  if (estimate.at(1).is_null() && estimate.at(2).is_null()) return is_cut ? text : text + " (too few rocks)";
+  const auto end = [](const Json& limit) {
+    return limit.is_null() ? std::string("unknown") : three_digits(limit.get<double>());
   };
-  return fmt::format("{} m ({} to {})", three_digits(estimate.at(0).get<double>()), end(estimate.at(1)),
-                     end(estimate.at(2)));
+  return fmt::format("{} ({} to {})", text, end(estimate.at(1)), end(estimate.at(2)));
 }
 
 void print_ditch(const Json& answer) {
@@ -215,6 +217,10 @@ void print_ditch(const Json& answer) {
   count("beyond",
         fmt::format("get beyond the far edge, {:g} m from the toe", answer.at("width_m").get<double>()).c_str(),
         all.c_str());
+  if (answer.at("held").at("rocks") > 0) {
+    count("held", "are held by a barrier before it; how far they would get is unknown", all.c_str());
+    count("beyond_or_held", "at most would get beyond without that barrier", all.c_str());
+  }
   count("retained", "are retained", "of those that get past the toe");
   if (const auto beyond = answer.at("released_beyond").get<std::uint64_t>(); beyond > 0)
     fmt::print("{} rocks are released past the toe and do not count.\n", grouped(beyond));
@@ -222,8 +228,9 @@ void print_ditch(const Json& answer) {
   for (const double percentile : ditch_percentiles) {
     const std::string key = fmt::format("{}", percentile);
     const auto cell = [&](const char* what) {
-      const Json& values = answer.at(what).at("percentiles");
-      return values.contains(key) ? distance_text(values.at(key)) : std::string("-");
+      const Json& of = answer.at(what);
+      const Json& values = of.at("percentiles");
+      return values.contains(key) ? distance_text(values.at(key), of.at("known_to_m")) : std::string("-");
     };
     fmt::print("{:>3} %{:>30}{:>30}\n", key, cell("impact"), cell("rollout"));
   }

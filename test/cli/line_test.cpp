@@ -111,6 +111,16 @@ TEST_F(LineCommand, SaysWhatStaysInADitch) {
       << said.text;
   EXPECT_NE(said.text.find(" 50 %        6.03 m (too few rocks)"), std::string::npos) << said.text;
   EXPECT_NE(said.text.find("Modified Ritchie criterion: 8.6 m"), std::string::npos) << said.text;
+
+  work_.write("fence.toml", vertical_face + "[[barrier]]\nline = 13.5\nheight_m = 30\n");
+  const std::string fence = (work_ / "fence").string();
+  ASSERT_EQ(talus_says("run " + (work_ / "fence.toml").string() + " --quiet -o " + fence).exit_code, 0);
+  const Said held = talus_says("line " + fence + " --ditch 10 16");
+  EXPECT_NE(held.text.find("4 rocks are held by a barrier before it; how far they would get is unknown: 80.0 %"),
+            std::string::npos)
+      << held.text;
+  EXPECT_NE(held.text.find(" 50 %                     >= 3.50 m                     >= 3.50 m"), std::string::npos)
+      << held.text;
   EXPECT_EQ(text_of("--ditch 10 16", 2),
             "--ditch: is a stretch of a section (this run is 3D). Ask for a line or a polygon\n");
 }

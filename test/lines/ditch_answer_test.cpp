@@ -50,6 +50,35 @@ TEST(AskedDitch, HasTheImpactsOfTheParabola) {
   EXPECT_NEAR(answer.slope->angle, std::atan2(20.5, 0.1), 1e-9);
 }
 
+/// What a barrier in the ditch does to rocks says nothing of the ditch: distances from the barrier on are lower limits.
+TEST(AskedDitch, KnowsNoDistancesBehindItsBarrier) {
+  const SimulatedRun run(vertical_face + "[[barrier]]\nline = 13.5\nheight_m = 30\n");
+  const DitchAnswer answer = asked(run, 10, 16);
+  ASSERT_EQ(answer.arriving.size(), 5u);
+  EXPECT_NEAR(*answer.arriving[0].first_impact, 1.944, 1e-3);
+  EXPECT_FALSE(answer.arriving[0].at_barrier.has_value());
+  for (std::size_t k = 1; k < 5; ++k) {
+    EXPECT_FALSE(answer.arriving[k].first_impact.has_value());
+    EXPECT_NEAR(answer.arriving[k].at_barrier.value_or(0), 3.5, 1e-9);
+    EXPECT_TRUE(answer.arriving[k].is_held());
+  }
+  const auto json = ditch_json(run.model, ditch_between(run.model, 10, 16, "ditch"), answer, 0.5);
+  EXPECT_EQ(json["beyond"]["rocks"], 0);
+  EXPECT_EQ(json["held"]["rocks"], 4);
+  EXPECT_EQ(json["beyond_or_held"]["rocks"], 4);
+  for (const char* what : {"impact", "rollout"}) {
+    EXPECT_EQ(json[what]["rocks"], 5);
+    EXPECT_NEAR(json[what]["known_to_m"].get<double>(), 3.5, 1e-9);
+    EXPECT_NEAR(json[what]["percentiles"]["50"][0].get<double>(), 3.5, 1e-9);
+    EXPECT_TRUE(json[what]["percentiles"]["50"][2].is_null());
+  }
+  // A fence past the far edge cuts nothing.
+  const SimulatedRun far(vertical_face + "[[barrier]]\nline = 17\nheight_m = 30\n");
+  const auto whole = ditch_json(far.model, ditch_between(far.model, 10, 16, "ditch"), asked(far, 10, 16), 0.5);
+  EXPECT_EQ(whole["held"]["rocks"], 0);
+  EXPECT_TRUE(whole["rollout"]["known_to_m"].is_null());
+}
+
 /// The mirrored slope has the mirrored answer.
 TEST(AskedDitch, IsTheSameOnAMirroredSlope) {
   std::string mirrored = vertical_face;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <variant>
 
@@ -26,12 +27,25 @@ double farthest_on(const Ditch& ditch, const PathPiece& piece) {
   return most;
 }
 
-/// Where the rock first touches the ground past the toe: at an impact, or while it slides or rolls.
-std::optional<double> first_impact(const Ditch& ditch, const RockPath& path) {
+constexpr double rounding = 1e-6;  // of the far edge, which may be a barrier or the end of the section [m]
+
+/// The rock's arrival at the first barrier of the ditch; null: it meets none.
+const PathRow* first_barrier(const Ditch& ditch, const RockPath& path) {
+  const auto found = std::ranges::find_if(path.rows, [&](const PathRow& row) {
+    const double distance = ditch.distance(row.motion.position.x());
+    return row.state == PathState::barrier && distance >= 0 && distance <= ditch.width() + rounding;
+  });
+  return found == path.rows.end() ? nullptr : &*found;
+}
+
+/// Where the rock first touches the ground past the toe before `end` [s]: at an impact, or while it slides or rolls.
+std::optional<double> first_impact(const Ditch& ditch, const RockPath& path, double end) {
   const auto is_impact_past = [&](const PathRow& row) {
-    return row.state == PathState::impact && ditch.distance(row.motion.position.x()) >= 0;
+    return row.state == PathState::impact && row.motion.time < end && ditch.distance(row.motion.position.x()) >= 0;
   };
-  const auto is_ground_past = [&](const PathPiece& piece) { return piece.on_ground && farthest_on(ditch, piece) > 0; };
+  const auto is_ground_past = [&](const PathPiece& piece) {
+    return piece.on_ground && piece.start_time < end && farthest_on(ditch, piece) > 0;
+  };
   const auto impact = std::ranges::find_if(path.rows, is_impact_past);
   const auto ground = std::ranges::find_if(path.pieces, is_ground_past);
   const bool has_impact = impact != path.rows.end(), has_ground = ground != path.pieces.end();
@@ -46,12 +60,14 @@ std::optional<RockInDitch> rock_in(const Ditch& ditch, const RockPath& path) {
   double farthest = ditch.distance(outcome.end.position.x());
   for (const PathPiece& piece : path.pieces) farthest = std::max(farthest, farthest_on(ditch, piece));
   if (farthest < 0) return std::nullopt;
-  constexpr double rounding = 1e-6;  // the far edge may be the end of the section [m]
+  const PathRow* barrier = first_barrier(ditch, path);
+  const double until = barrier ? barrier->motion.time : std::numeric_limits<double>::infinity();
   const double end = ditch.distance(outcome.end.position.x());
   const bool stays = outcome.reason != EndReason::left_model && outcome.reason != EndReason::lost &&
                      outcome.reason != EndReason::no_data;
   return RockInDitch{.rock = path.record.rock,
-                     .first_impact = first_impact(ditch, path),
+                     .first_impact = first_impact(ditch, path, until),
+                     .at_barrier = barrier ? std::optional(ditch.distance(barrier->motion.position.x())) : std::nullopt,
                      .farthest = farthest,
                      .gets_beyond = farthest > ditch.width() - rounding,
                      .ends_inside = stays && end >= 0 && end <= ditch.width()};

@@ -3,8 +3,8 @@
 // get, and which get beyond it.
 //
 // The ditch is the stretch from its toe, at the foot of the slope, to its far edge. Rocks count that are released on
-// the side of the toe. All distances are horizontal, from the toe to the centre of the rock. Checked by
-// test/lines/ditch_answer_test.cpp.
+// the side of the toe. All distances are horizontal, from the toe to the centre of the rock. A barrier on the stretch
+// hides what the ditch alone would do to the rocks that it meets. Checked by test/lines/ditch_answer_test.cpp.
 
 #include <cstdint>
 #include <optional>
@@ -31,11 +31,17 @@ struct Ditch {
 /// A rock that gets past the toe.
 struct RockInDitch {
   std::uint64_t rock = 0;
-  /// Where it first touches the ground past the toe; 0 if it slides or rolls past it. Nullopt: it touches none.
+  /// Where it first touches the ground past the toe; 0 if it slides or rolls past it. Nullopt: it touches none, or a
+  /// barrier first.
   std::optional<double> first_impact;  // [m]
-  double farthest = 0;                 // of its path [m]
-  bool gets_beyond = false;            // the far edge, also if it comes back
-  bool ends_inside = false;            // at rest, held by a barrier or at the limit of time
+  /// Where a barrier between toe and far edge first stops it, turns it back or slows it; nullopt: none does.
+  std::optional<double> at_barrier;  // [m]
+  double farthest = 0;               // of its path [m]
+  bool gets_beyond = false;          // the far edge, also if it comes back
+  bool ends_inside = false;          // at rest, held by a barrier or at the limit of time
+
+  /// Whether only the barrier is known to keep it from the far edge.
+  [[nodiscard]] bool is_held() const { return at_barrier && !gets_beyond; }
 };
 
 struct DitchAnswer {

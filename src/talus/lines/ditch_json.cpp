@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -16,19 +18,40 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json distances_json(const std::vector<double>& distances, double confidence) {
-  Json json{{"rocks", distances.size()}, {"percentiles", Json::object()}, {"most", nullptr}};
-  if (distances.empty()) return json;
-  QuantileSketch sketch(distances.size());
-  for (const double distance : distances) sketch.add(distance);
+/// Distances of rocks. Those from `known_to` on are what a barrier left of a distance that may be longer.
+struct Distances {
+  std::vector<double> values;
+  double known_to = std::numeric_limits<double>::infinity();
+
+  void add(double value) { values.push_back(value); }
+  void add_cut(double value) {
+    values.push_back(value);
+    known_to = std::min(known_to, value);
+  }
+};
+
+Json distances_json(const Distances& distances, double confidence) {
+  // Percentiles of very many rocks are off by up to a 2048th.
+  const bool is_exact = distances.values.size() <= QuantileSketch::most_exact;
+  const double known_to = is_exact ? distances.known_to : distances.known_to * (1 - 1.0 / 1024);
+  Json json{{"rocks", distances.values.size()},
+            {"percentiles", Json::object()},
+            {"most", nullptr},
+            {"known_to_m", std::isfinite(known_to) ? Json(known_to) : Json()}};
+  if (distances.values.empty()) return json;
+  QuantileSketch sketch(distances.values.size());
+  for (const double distance : distances.values) sketch.add(distance);
   const RankedValues values(sketch);
+  // Whatever the longer distances are, values below the shortest that was cut keep their ranks.
+  const auto upper = [&](const std::optional<double>& value) {
+    return value && *value < known_to ? Json(*value) : Json();
+  };
   const auto optional = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
   for (const double percentile : ditch_percentiles) {
     const Estimate estimate = values.estimate(percentile / 100, confidence);
-    json["percentiles"][fmt::format("{}", percentile)] = {estimate.value, optional(estimate.low),
-                                                          optional(estimate.high)};
+    json["percentiles"][fmt::format("{}", percentile)] = {estimate.value, optional(estimate.low), upper(estimate.high)};
   }
-  json["most"] = *std::ranges::max_element(distances);
+  json["most"] = *std::ranges::max_element(distances.values);
   return json;
 }
 
@@ -53,11 +76,19 @@ Json ditch_json(const Model& model, const Ditch& ditch, const DitchAnswer& answe
     return Json{{"rocks", rocks}, {"share", share_json(share_of(rocks, of, confidence))}};
   };
   const std::uint64_t arriving = answer.arriving.size(), beyond = count(&RockInDitch::gets_beyond),
-                      inside = count(&RockInDitch::ends_inside);
-  std::vector<double> impacts, rollouts;
+                      inside = count(&RockInDitch::ends_inside), held = count(&RockInDitch::is_held);
+  Distances impacts, rollouts;
   for (const RockInDitch& rock : answer.arriving) {
-    if (rock.first_impact) impacts.push_back(*rock.first_impact);
-    rollouts.push_back(rock.farthest);
+    if (rock.first_impact) {
+      impacts.add(*rock.first_impact);
+    } else if (rock.at_barrier) {
+      impacts.add_cut(*rock.at_barrier);
+    }
+    if (rock.at_barrier) {
+      rollouts.add_cut(std::max(*rock.at_barrier, rock.farthest));
+    } else {
+      rollouts.add(rock.farthest);
+    }
   }
   Json slope;
   if (answer.slope)
@@ -72,6 +103,8 @@ Json ditch_json(const Model& model, const Ditch& ditch, const DitchAnswer& answe
           {"arriving", share(arriving, answer.rocks)},
           {"inside", share(inside, answer.rocks)},
           {"beyond", share(beyond, answer.rocks)},
+          {"held", share(held, answer.rocks)},
+          {"beyond_or_held", share(beyond + held, answer.rocks)},
           {"kept", share(answer.rocks - beyond, answer.rocks)},
           {"retained", share(arriving - beyond, arriving)},
           {"impact", distances_json(impacts, confidence)},

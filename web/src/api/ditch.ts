@@ -15,6 +15,8 @@ export interface Distances {
   /// By "50", "90", "95" and "99"; empty without rocks.
   percentiles: Record<string, Interval>;
   most: number | null;
+  /// Values from here on are lower limits: a barrier stopped rocks there. Null: all are known.
+  known_to_m: number | null;
 }
 export interface DitchAnswer {
   run: { rocks: number; stored: number };
@@ -29,6 +31,9 @@ export interface DitchAnswer {
   arriving: DitchShare;
   inside: DitchShare;
   beyond: DitchShare;
+  /// Kept from the far edge by a barrier before it; and these with those that get beyond.
+  held: DitchShare;
+  beyond_or_held: DitchShare;
   kept: DitchShare;
   /// Of those that get past the toe.
   retained: DitchShare;

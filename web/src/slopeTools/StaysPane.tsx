@@ -4,7 +4,7 @@ import type { Distances, DitchAnswer } from '../api/ditch';
 import { intervalText, percentText } from '../askLine/kit';
 import { isOutdated } from '../runs/outdated';
 import { hasResults, shown } from '../state/runs';
-import { fixedText, numberText } from '../ui/format';
+import { counted, fixedText, numberText } from '../ui/format';
 import { Compared } from './Compared';
 import { NumberInput } from './NumberInput';
 import { refused, stays } from './stays';
@@ -16,12 +16,14 @@ function DistanceCell({ of, percentile, width }: { of: Distances; percentile: st
   const found = of.percentiles[percentile];
   if (!found) return <td>–</td>;
   const [value, low, high] = found.map((each) => (each === null ? null : fixedText(each, 2)));
+  const isCut = of.known_to_m !== null && found[0] >= of.known_to_m;
   return (
     <td class={found[0] > width ? 'beyond' : undefined}>
-      <strong>{value}</strong>
-      <span class="interval">
-        {low ?? '?'} to {high ?? '?'}
-      </span>
+      <strong>
+        {isCut && '≥ '}
+        {value}
+      </strong>
+      <span class="interval">{isCut ? 'cut by the barrier' : `${low ?? '?'} to ${high ?? '?'}`}</span>
     </td>
   );
 }
@@ -71,15 +73,27 @@ function Criteria({ of: { slope, criteria, width_m } }: { of: DitchAnswer }) {
   );
 }
 
+/// The barrier, not the ditch, keeps rocks from the far edge.
+function Held({ of: { beyond, held, beyond_or_held: atMost } }: { of: DitchAnswer }) {
+  if (held.rocks === 0 || !beyond.share || !atMost.share) return null;
+  return (
+    <p class="problem warning">
+      A barrier before the far edge stops or turns back {counted(held.rocks, 'rock')}. How far they would get without it is unknown: the
+      ditch alone lets {percentText(beyond.share.value)} to {percentText(atMost.share.value)} get beyond.
+    </p>
+  );
+}
+
 function Answer({ of }: { of: DitchAnswer }) {
-  const { retained, beyond, arriving, inside, rocks, run } = of;
+  const { retained, beyond, arriving, inside, held, rocks, run } = of;
   const stored = run.stored < run.rocks ? ` Trajectories of ${run.stored.toLocaleString('en')} of ${run.rocks.toLocaleString('en')} rocks are stored.` : '';
   return (
     <>
       <p class="big-share">
-        <strong>{beyond.share ? percentText(beyond.share.value) : '–'}</strong> get beyond the far edge: {beyond.rocks.toLocaleString('en')} of {rocks.toLocaleString('en')}
+        <strong>{beyond.share ? percentText(beyond.share.value) : '–'}</strong> get beyond the far edge{held.rocks > 0 && ', with the barrier'}: {beyond.rocks.toLocaleString('en')} of {rocks.toLocaleString('en')}
         <span class="interval">{beyond.share && intervalText(beyond.share)}</span>
       </p>
+      <Held of={of} />
       <p>
         {arriving.rocks.toLocaleString('en')} get past the toe, {inside.rocks.toLocaleString('en')} stop inside.
         {retained.share && (
