@@ -122,12 +122,12 @@ void print_line(const Json& answer, const StoredSources& places, const Model& mo
     fmt::print("{}\n", answer.at("enough").at("text").get<std::string>());
     return;
   }
-  fmt::print("{:g} % of them have at most (confidence {:g} %):\n", answer.at("design_percentile").get<double>(),
-             100 * answer.at("confidence").get<double>());
-  for (const char* key : {"energy", "height", "velocity"}) {
-    fmt::print("  {:<10}{}{}\n", key, with_interval(card, key),
-               std::string_view(key) == "height" ? ", of the block's top above the foot" : "");
-  }
+  fmt::print("{:g} % of them have at most (intervals from sampling alone, confidence {:g} %):\n",
+             answer.at("design_percentile").get<double>(), 100 * answer.at("confidence").get<double>());
+  const bool takes_total = answer.at("factors").at("of_total_energy").get<bool>();
+  fmt::print("  {:<22}{}\n", takes_total ? "total energy" : "translational energy", with_interval(card, "energy"));
+  fmt::print("  {:<22}{}, of the block's top above the foot\n", "height", with_interval(card, "height"));
+  fmt::print("  {:<22}{}\n", "velocity", with_interval(card, "velocity"));
   if (!answer.at("standard").is_null()) {
     fmt::print("{} asks for {}\n", answer.at("standard").get<std::string>(), card.at("needs").get<std::string>());
     const auto cautious = card.at("needs_at_upper_end").get<std::string>();
@@ -140,15 +140,14 @@ void print_line(const Json& answer, const StoredSources& places, const Model& mo
   const bool is_known = whole.at("percentiles").at("height_m").contains(percentile);
   const Json& sections = answer.at("sections");
   if (sections.size() > 1) {
-    fmt::print("\n{:>8}{:>9}{:>8}{:>13}{:>11}{:>14}{:>12}\n", "from [m]", "to [m]", "rocks", "energy [kJ]", "top [m]",
-               "speed [m/s]", "needs");
+    fmt::print("\n{:>8}{:>9}{:>8}{:>13}{:>11}{:>14}{:>12}\n", "from [m]", "to [m]", "rocks",
+               takes_total ? "total [kJ]" : "transl. [kJ]", "top [m]", "speed [m/s]", "needs");
     for (std::size_t s = 0; s < sections.size(); ++s) {
       const Json& section = sections[s];
       const bool is_worst = !answer.at("worst").is_null() && answer.at("worst").at("section") == s;
       const auto cell = [&](const char* quantity, double unit) {
         return is_known ? number_or_blank(section, quantity, percentile, unit) : "";
       };
-      const bool takes_total = answer.at("factors").at("of_total_energy").get<bool>();
       fmt::print(
           "{:>8.1f}{:>9.1f}{:>8}{:>13}{:>11}{:>14}{:>12}{}\n", section.at("from_m").get<double>(),
           section.at("to_m").get<double>(), section.at("rocks").get<std::uint64_t>(),

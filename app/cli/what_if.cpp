@@ -73,7 +73,8 @@ void print_table(const what_if::WhatIf& asked, const what_if::Answer& answer) {
   fmt::print("{} of {} rocks in each set; {} with the project's own values\n", grouped(answer.rocks),
              grouped(answer.planned), fmt::format("{} {}", grouped(answer.base.rocks), is_line ? "cross" : "enter"));
   const std::string p = fmt::format("{:g} %", asked.percentile());
-  fmt::print(row_format, "", "", "share", p + " energy", p + " height", p + " velocity");
+  fmt::print(row_format, "", "", "share", p + (asked.takes_total_energy() ? " total energy" : " translational energy"),
+             p + " height", p + " velocity");
   const auto& share = answer.base.share;
   fmt::print(row_format, "base", "",
              text_of(share ? std::optional(Estimate{share->value, share->low, share->high}) : std::nullopt, percent,

@@ -65,7 +65,9 @@ test('the numbers are those of the design of a run', async ({ workbench: page })
   const three = (value: number) => Number(value.toPrecision(3)).toLocaleString('en', { maximumFractionDigits: 9 });
   await expect(figure(page, "95 % height of the block's top")).toContainText(`${three(halfWay.percentiles.height_m['95'][0])} m`);
   await expect(figure(page, '95 % velocity')).toContainText(`${three(halfWay.percentiles.velocity_m_s['95'][0])} m/s`);
-  await expect(figure(page, '95 % energy')).toContainText(`${three(halfWay.percentiles.ke_translational_J['95'][0] / 1000)} kJ`);
+  await expect(figure(page, '95 % translational energy')).toContainText(`${three(halfWay.percentiles.ke_translational_J['95'][0] / 1000)} kJ`);
+  await expect(figure(page, '95 % total energy')).toContainText(`${three(halfWay.percentiles.ke_total_J['95'][0] / 1000)} kJ`);
+  await expect(share(page)).toContainText('from sampling alone, with 95 % confidence');
   if (halfWay.needs) await expect(figure(page, 'class by UNI 11211-4')).toContainText(String(halfWay.needs.class ?? 'none'));
   await expect(card(page).getByText(/^The worst stretch is from \d+ to \d+ m/)).toBeVisible();
   await expect(card(page).locator('.asked-profile rect.worst').first()).toBeAttached();
@@ -154,7 +156,7 @@ test('a release place leaves only its rocks, in the tables and the trajectories'
   await typeLine(page, [[15, 0], [15, 50]]);
   const places = card(page).locator('.asked-sources li button');
   await expect(places.first()).toBeVisible();
-  const [, count, of] = /: ([\d,]+) of ([\d,]+), /.exec((await places.first().textContent())!)!;
+  const [, count, of] = /: ([\d,]+) of ([\d,]+) rocks?, /.exec((await places.first().textContent())!)!;
   expect(Number(count)).toBeLessThanOrEqual(Number(of));
   await places.first().click();
   await page.getByRole('tab', { name: 'Overview' }).click();

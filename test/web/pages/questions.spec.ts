@@ -68,11 +68,11 @@ test('the four questions are answered as by collectors', async ({ workbench: pag
   // With which energy and height?
   const figure = (title: string) => card.locator('.asked-figures > div').filter({ hasText: title }).locator('dd strong');
   const number = async (title: string) => Number((await figure(title).textContent())!.replace(/[^\d.]/g, ''));
-  expect(await number('95 % energy')).toBeCloseTo(Number((design.percentiles.ke_translational_J!['95']![0] / 1000).toPrecision(3)), 6);
+  expect(await number('95 % translational energy')).toBeCloseTo(Number((design.percentiles.ke_translational_J!['95']![0] / 1000).toPrecision(3)), 6);
   expect(await number("95 % height of the block's top")).toBeCloseTo(Number(design.percentiles.height_m!['95']![0].toPrecision(3)), 6);
 
   // Where do they come from? All from the one place of release; the filter leaves as many as crossed.
-  await expect(card.locator('.asked-sources li button')).toHaveText(new RegExp(`Crest: ${crossing.size} of 400, `));
+  await expect(card.locator('.asked-sources li button')).toHaveText(new RegExp(`Crest: ${crossing.size} of 400 rocks, `));
   await card.getByLabel('Only rocks that cross').check();
   await page.getByRole('tab', { name: 'Overview' }).click();
   await expect(page.locator('.results .filter-note')).toContainText(`${crossing.size} of 400 rocks: cross the asked line`);

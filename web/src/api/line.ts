@@ -87,6 +87,8 @@ export interface LineAnswer extends AnyAnswer {
   sections: LineFigures[];
   worst: { section: number; from_m: number; to_m: number } | null;
   kits: KitTable;
+  /// The kit of the question, in words; null without one.
+  kit: { text: string } | null;
   card: CardTexts;
 }
 export interface PolygonAnswer extends AnyAnswer {

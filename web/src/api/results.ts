@@ -22,7 +22,7 @@ export interface Summary {
   barriers?: { name: string; statistics: Record<string, FigureTexts> }[];
   design?: Design;
   sources: { name: string }[];
-  project: { seeder: { name?: string }[] };
+  project: { seeder: { name?: string }[]; [table: string]: unknown };
   warnings: string[];
   notes?: string[];
   timings: { seconds: NumberText; rocks_per_second: NumberText; threads: NumberText };

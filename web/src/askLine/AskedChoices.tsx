@@ -8,7 +8,7 @@ import { ofProject } from '../state/ofProject';
 import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
 import { shownPaths } from '../paths/drawnPaths';
-import { ask, asked } from './asked';
+import { ask, asked, kitEnergy, kitHeight } from './asked';
 import { drawAsked, isDrawing, lineOfBarrier } from './askTools';
 import { isTaking, takeFromMap, vectorLayers } from './fromMap';
 import { takeLineFiles } from './lineFiles';
@@ -16,8 +16,13 @@ import { takeLineFiles } from './lineFiles';
 /// Of the contour to take; null: that of the place.
 const elevation = ofProject<number | null>(null);
 
-/// A barrier that the run had is asked for its own hits; another one is asked as a line.
+/// A barrier that the run had is asked for its own hits; another one is asked as a line. The kit is that of the barrier.
 function askBarrier(name: string) {
+  const barrier = model.value?.barriers.find((each) => each.name === name);
+  if (barrier?.kind === 'barrier') {
+    kitHeight.value = barrier.height_m;
+    if (barrier.capacity_kJ !== null) kitEnergy.value = barrier.capacity_kJ;
+  }
   const isOfRun = shownPaths.value?.header.barriers.includes(name) ?? false;
   ask(isOfRun ? { kind: 'barrier', name } : { kind: 'line', points: lineOfBarrier(name) }, `ask ${name}`);
 }

@@ -4,33 +4,68 @@ import type { AskedAnswer, LineAnswer, PolygonAnswer } from '../api/line';
 import { displayOf } from '../state/displayUnits';
 import { counted, numberText } from '../ui/format';
 import { intervalText, percentText } from './kit';
+import { rangeOf } from './tornadoOf';
+import { whatIf } from './whatIf';
 
-function BigShare({ share, interval, confidence, what }: { share: string; interval: string; confidence: number; what: string }) {
+/// The answer of what if to the same question; null: it was not asked, or is under way.
+const whatIfAnswer = () => (whatIf.value && whatIf.value.state !== 'running' ? whatIf.value.answer : null);
+
+interface ShareProps {
+  share: string;
+  interval: string;
+  confidence: number;
+  what: string;
+  /// With other inputs; null: unknown.
+  range: [number, number] | null;
+}
+
+/// The interval is of the sampled rocks alone. What other inputs would give stands beside it.
+function BigShare({ share, interval, confidence, what, range }: ShareProps) {
   return (
     <p class="big-share">
       <strong>{share}</strong> {what}
-      {interval !== '' && <span class="interval">{interval}, with {percentText(confidence)} confidence</span>}
+      {interval !== '' && <span class="interval">{interval} from sampling alone, with {percentText(confidence)} confidence</span>}
+      {range && <span class="interval">{intervalText({ value: 0, low: range[0], high: range[1] })} with the inputs of what if</span>}
     </p>
   );
 }
 
-function ShareOfArea({ of: { share, rocks }, confidence, what }: { of: PolygonAnswer['entering']; confidence: number; what: string }) {
-  return <BigShare share={share ? percentText(share.value) : ''} interval={share ? intervalText(share) : ''} confidence={confidence} what={`${what}: ${rocks.toLocaleString('en')}`} />;
+interface AreaProps {
+  of: PolygonAnswer['entering'];
+  confidence: number;
+  what: string;
+  range?: [number, number] | null;
+}
+
+function ShareOfArea({ of: { share, rocks }, confidence, what, range = null }: AreaProps) {
+  return <BigShare share={share ? percentText(share.value) : ''} interval={share ? intervalText(share) : ''} confidence={confidence} what={`${what}: ${rocks.toLocaleString('en')}`} range={range} />;
 }
 
 interface Figure {
   title: string;
   value: string;
+  /// Of sampling alone.
   interval: string;
+  /// With the inputs of what if; empty: unknown.
+  range: string;
 }
 
 /// `height`: what it is the height of.
 const quantities = (height: string) =>
   [
-    ['energy', 'ke_translational_J', 'J'],
+    ['translational energy', 'ke_translational_J', 'J'],
+    ['total energy', 'ke_total_J', 'J'],
     [`height of the ${height}`, 'height_m', 'm'],
     ['velocity', 'velocity_m_s', 'm/s'],
   ] as const;
+
+/// What the figure is called in the answer of what if; null: it does not have it.
+function rangeFor(key: (typeof quantities)[number][1], percentile: string): [number, number] | null {
+  const answer = whatIfAnswer();
+  if (!answer || String(answer.percentile) !== percentile) return null;
+  if (key === 'height_m' || key === 'velocity_m_s') return rangeOf(answer, key);
+  return key === `ke_${answer.energy}_J` ? rangeOf(answer, 'energy_J') : null;
+}
 
 /// The percentile of the design with its confidence interval: 95 % of the rocks have less.
 function percentilesIn({ percentiles }: Pick<PolygonAnswer, 'percentiles'>, percentile: string, height: string): Figure[] {
@@ -38,8 +73,17 @@ function percentilesIn({ percentiles }: Pick<PolygonAnswer, 'percentiles'>, perc
     const found = percentiles[key]?.[percentile];
     if (!found) return [];
     const { unit, per } = displayOf(metric);
-    const [value, low, high] = found.map((each) => (each === null ? null : numberText(each / per, 3)));
-    return [{ title: `${percentile} % ${title}`, value: `${value} ${unit}`, interval: `${low ?? '–'} to ${high ?? 'unknown, too few rocks'}` }];
+    const text = (each: number) => numberText(each / per, 3);
+    const [value, low, high] = found.map((each) => (each === null ? null : text(each)));
+    const range = rangeFor(key, percentile);
+    return [
+      {
+        title: `${percentile} % ${title}`,
+        value: `${value} ${unit}`,
+        interval: `${low ?? '–'} to ${high ?? 'unknown, too few rocks'}`,
+        range: range ? `${text(range[0])} to ${text(range[1])}` : '',
+      },
+    ];
   });
 }
 
@@ -49,22 +93,31 @@ function classOf({ whole: { needs, needs_at_upper_end: upper }, standard, card }
   const name = ({ class: number }: typeof needs) => (number === null ? 'none' : String(number));
   const rest = card.needs.replace(/^class [^:]*: /, '');
   const atUpper = upper && name(upper) !== name(needs) ? `; up to class ${name(upper)}` : '';
-  return [{ title: `class by ${standard}`, value: name(needs), interval: `needs ${rest}${atUpper}` }];
+  return [{ title: `class by ${standard}`, value: name(needs), interval: `needs ${rest}${atUpper}`, range: '' }];
 }
 
 export function Figures({ of }: { of: Figure[] }) {
+  const hasRanges = of.some(({ range }) => range !== '');
   return (
-    <dl class="asked-figures">
-      {of.map(({ title, value, interval }) => (
-        <div key={title}>
-          <dt>{title}</dt>
-          <dd>
-            <strong>{value}</strong>
-            <span class="interval">{interval}</span>
-          </dd>
-        </div>
-      ))}
-    </dl>
+    <>
+      <dl class="asked-figures">
+        {of.map(({ title, value, interval, range }) => (
+          <div key={title}>
+            <dt>{title}</dt>
+            <dd>
+              <strong>{value}</strong>
+              <span class="interval">
+                {interval}
+                {range !== '' && <span class="range"> · {range}</span>}
+              </span>
+            </dd>
+          </div>
+        ))}
+      </dl>
+      {of.length > 0 && (
+        <p class="faint">{hasRanges ? 'Small: from sampling alone · with the inputs of what if.' : 'Intervals are from sampling alone. What if shows what other inputs give.'}</p>
+      )}
+    </>
   );
 }
 
@@ -81,12 +134,17 @@ export function figuresOfArea(of: PolygonAnswer) {
   return percentilesIn(of, known.includes('95') ? '95' : (known[0] ?? '95'), 'lowest point');
 }
 
+const shareRange = () => {
+  const answer = whatIfAnswer();
+  return answer && rangeOf(answer, 'share');
+};
+
 /// The share that crosses, or the shares that enter and end inside.
 export function Shares({ of }: { of: AskedAnswer }) {
   if (of.kind === 'polygon')
     return (
       <>
-        <ShareOfArea of={of.entering} confidence={of.confidence} what="enter" />
+        <ShareOfArea of={of.entering} confidence={of.confidence} what="enter" range={shareRange()} />
         <ShareOfArea of={of.stopping} confidence={of.confidence} what="end inside" />
         <p class="faint">{storedText(of)}</p>
       </>
@@ -98,6 +156,7 @@ export function Shares({ of }: { of: AskedAnswer }) {
       interval={of.card.share_interval}
       confidence={of.confidence}
       what={`${rocks === 1 ? 'crosses' : 'cross'}: ${rocks.toLocaleString('en')} ${storedText(of)}`}
+      range={shareRange()}
     />
   );
 }

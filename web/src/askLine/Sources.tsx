@@ -51,7 +51,7 @@ export function Sources({ hasKit }: { hasKit: boolean }) {
       </ul>
       {others.map((number) => (
         <button key={number} class="button plain" aria-pressed onClick={() => toggleRelease(number)}>
-          {number + 1}: only its rocks are shown
+          Place {number + 1}: only its rocks are shown
         </button>
       ))}
       {places.length > first && (

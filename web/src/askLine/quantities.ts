@@ -16,9 +16,9 @@ const percentileOf =
   ({ percentiles }, percentile) =>
     percentiles[key]?.[percentile] ?? null;
 
-/// By the percentile of the design. Energy alone is translational, as in the standard; total energy has the rotation.
+/// By the percentile of the design.
 export const profileChoices: Record<ProfileChoice, Choice> = {
-  ke_translational_J: { title: 'Energy', unit: 'J', of: percentileOf('ke_translational_J') },
+  ke_translational_J: { title: 'Translational energy', unit: 'J', of: percentileOf('ke_translational_J') },
   ke_total_J: { title: 'Total energy', unit: 'J', of: percentileOf('ke_total_J') },
   velocity_m_s: { title: 'Velocity', unit: 'm/s', of: percentileOf('velocity_m_s') },
   height_m: { title: "Height of the block's top", unit: 'm', of: percentileOf('height_m') },

@@ -11,6 +11,7 @@ import { isAsking } from '../state/view';
 import { stopsOf, type LegendData } from '../view/legends';
 import { shareRamp } from '../view/colours';
 import { shade } from '../view/theme';
+import { counted } from '../ui/format';
 import { roundUp } from '../view/ticks';
 import { answer, sourceColour, type SourceColour } from './asked';
 import { percentText } from './kit';
@@ -122,5 +123,6 @@ export function toggleRelease(number: number) {
   filter.value = { ...now, releases: isOnly ? null : [number] };
 }
 
+/// "Place 34, Crest: 16 of 20 rocks, 80 %"
 export const sourceText = ({ number, name, count, rocks, share }: SourcePlace) =>
-  `${number + 1}${name && `, ${name}`}: ${count.toLocaleString('en')} of ${rocks.toLocaleString('en')}, ${percentText(share)}`;
+  `Place ${number + 1}${name && `, ${name}`}: ${count.toLocaleString('en')} of ${counted(rocks, 'rock')}, ${percentText(share)}`;

@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { edited, valuesOf } from '../toml/edit';
-import { barsOf, changeText, editsOf, nameOf } from './tornadoOf';
+import { barsOf, changeText, editsOf, figureTitle, nameOf, rangeOf } from './tornadoOf';
 
 const variation = (factor: string, step: number, share: number, energy: number | null): Variation => ({
   factor,
@@ -61,6 +61,15 @@ test('changes are written with their sign and interval', () => {
   expect(changeText([0.042, 0.036, 0.048], percent)).toBe('+4.2 (+3.6 to +4.8) %');
   expect(changeText([-2000, null, null], kilojoules)).toBe('−2 kJ');
   expect(nameOf(answer.variations[0]!)).toBe('friction −10 %');
+});
+
+test('the energy of a figure has its name, and a range is over all inputs', () => {
+  expect(figureTitle('energy_J', answer)).toBe('95 % translational energy');
+  expect(figureTitle('height_m', answer)).toBe('95 % height');
+  const varied = { base: answer.base, variations: [{ ...variation('mass', 25, 0, null), share: [0.02, 0, 0.1] as [number, number, number], height_m: [3, null, null] as [number, null, null] }, { ...variation('mass', -25, 0, null), share: null }] };
+  expect(rangeOf(varied, 'share')).toEqual([0, 0.1]); // of no rock the share is 0
+  expect(rangeOf(varied, 'height_m')).toEqual([3, 3]);
+  expect(rangeOf(varied, 'velocity_m_s')).toBeNull();
 });
 
 test('a change is an edit of the text', () => {

@@ -18,8 +18,15 @@ export const figures: Record<WhatIfFigure, { title: string; unit: string }> = {
 /// A change of a share is in points, because "+10 %" of a share could also mean a tenth of it.
 export const changeIn = (by: WhatIfFigure, display: Displayed): Displayed => (by === 'share' ? { ...display, unit: `${display.unit} points` } : display);
 
-export const figureTitle = (by: WhatIfFigure, { percentile }: Pick<WhatIfAnswer, 'percentile'>) =>
-  by === 'share' ? 'Share' : `${percentile} % ${figures[by].title}`;
+/// "95 % total energy": the energy is that which the check takes.
+export const figureTitle = (by: WhatIfFigure, { percentile, energy }: Pick<WhatIfAnswer, 'percentile' | 'energy'>) =>
+  by === 'share' ? 'Share' : `${percentile} % ${by === 'energy_J' ? `${energy} ` : ''}${figures[by].title}`;
+
+/// The lowest and the highest value of a figure over the project's inputs and all that were varied; null: no rock crosses.
+export function rangeOf({ base, variations }: Pick<WhatIfAnswer, 'base' | 'variations'>, by: WhatIfFigure): [number, number] | null {
+  const values = [base, ...variations].flatMap((each) => each[by]?.[0] ?? (by === 'share' ? 0 : []));
+  return values.length > 0 ? [Math.min(...values), Math.max(...values)] : null;
+}
 
 /// "Roughness +25 %"
 export const nameOf = ({ title, step_percent: step }: Pick<Variation, 'title' | 'step_percent'>) =>

@@ -22,6 +22,6 @@ test('energies are shown in kJ, and nothing where no rock passes', () => {
   const some = { whole: { maxima: { ke_total_J: 5000 }, percentiles: { ke_total_J: { '95': [4000, 3000, null] } } } } as unknown as StationAnswer;
   const off = { length_m: null, whole: null };
   const { label, curves } = envelopeOf([1, 2, 3], [none, some, off], 'ke_total_J', { unit: 'kJ', per: 1000 });
-  expect(label).toBe('Energy [kJ]');
+  expect(label).toBe('Total energy [kJ]');
   expect(curves.map(({ values }) => values)).toEqual([[null, 5, null], [null, 4, null]]);
 });

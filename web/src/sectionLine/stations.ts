@@ -41,7 +41,7 @@ export function stationsAlong(line: readonly Point2[], halfWidth: number, count:
 /// Quantities of the envelopes (height of the block's top, total kinetic energy, velocity), with the unit of the answers.
 export const envelopeChoices = {
   height_m: { title: "Height of the block's top", unit: 'm' },
-  ke_total_J: { title: 'Energy', unit: 'J' },
+  ke_total_J: { title: 'Total energy', unit: 'J' },
   velocity_m_s: { title: 'Velocity', unit: 'm/s' },
 } as const satisfies Partial<Record<LineQuantity, { title: string; unit: string }>>;
 export type EnvelopeChoice = keyof typeof envelopeChoices;

@@ -79,7 +79,7 @@ function designLines(parent, run) {
   const quantities = designQuantities(design);
   const names = [...new Set(design.lines.flatMap((line) => Object.keys(line.percentiles[quantities[0].key])))];
   table(parent, {
-    caption: `Rocks that cross each line; below each value its ${confidence} confidence interval`,
+    caption: `Rocks that cross each line; below each value its ${confidence} confidence interval, from sampling alone`,
     head: [['Line', {text: 'Length', unit: unitIn('m')}, 'Rocks', 'Share of all', 'Percentile', ...quantities.map(({text, unit}) => ({text, unit: unitIn(unit)}))]],
     rows: design.lines.flatMap((line) => (line.rocks ? names : ['–']).map((name, i) => [
       i ? '' : line.name, i ? '' : line.length_m ? givenIn('m', line.length_m, 5) : '–', i ? '' : number(line.rocks),
