@@ -1,23 +1,26 @@
 // What was asked of a run, its answers and the view, on a sheet of A4.
 
 import type { AskedAnswer } from '../api/line';
+import type { Summary } from '../api/results';
 import type { Point2 } from '../api/types';
 import { about } from '../state/about';
 import { file } from '../state/document';
 import { displayOf } from '../state/displayUnits';
 import { model } from '../state/model';
 import { shown } from '../state/runs';
-import { fixedText, numberText } from '../ui/format';
+import { isOutdated } from '../runs/outdated';
+import { counted, fixedText, numberText } from '../ui/format';
 import { projectTitle, titleBlockFacts } from '../view/sheet';
 import { asked, kitEnergy, kitHeight } from './asked';
 import { Figures, figuresOfArea, figuresOfLine, Shares } from './AskedFigures';
 import { pointsOf } from './askTools';
 import { kitSentence, kitShare, nearestIndex } from './kit';
+import { materialsOf, modelOf, rocksOf } from './sheetInputs';
 import { sourcePlaces, sourceText } from './sources';
 import { changeText, figureTitle, nameOf } from './tornadoOf';
 import { unitOfChange, whatIf, whatIfFigure } from './whatIf';
 
-const [mostCorners, mostPlaces] = [8, 8];
+const [mostCorners, mostPlaces, mostSeeders, mostMaterials, mostWarnings] = [8, 6, 3, 5, 5];
 
 /// ", 5 m high, 3,000 kJ"
 function heightText(name: string): string {
@@ -46,8 +49,10 @@ function Place({ of }: { of: AskedAnswer }) {
   );
 }
 
-function Kit({ of }: { of: AskedAnswer }) {
+/// A barrier is judged as it stands, any other line by the kit of the card.
+function Kit({ of, asItStands }: { of: AskedAnswer; asItStands: string | null }) {
   if (of.kind === 'polygon') return null;
+  if (asItStands !== null) return <p>As it stands: {asItStands}.</p>;
   const { kits } = of;
   const kit = kitShare(kits, nearestIndex(kits.heights_m, kitHeight.value), nearestIndex(kits.energies_kJ, kitEnergy.value));
   return kit && <p>{kitSentence(kit)}.</p>;
@@ -94,7 +99,88 @@ function Changes() {
   );
 }
 
-export function AnswerSheet({ of, picture }: { of: AskedAnswer; picture: string | null }) {
+const first = (texts: readonly string[], most: number, what: string) =>
+  texts.length > most ? [...texts.slice(0, most), `and ${texts.length - most} more ${what}`] : texts;
+
+function Rocks({ of: { project, rocks, seed } }: { of: Summary }) {
+  return (
+    <section>
+      <h3>Rocks</h3>
+      <ul>
+        <li>
+          {modelOf(project)}, {counted(Number(rocks.done), 'rock')}, seed {seed}
+        </li>
+        {first(rocksOf(project), mostSeeders, 'seeders').map((text) => (
+          <li key={text}>{text}</li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+function Ground({ of: { project } }: { of: Summary }) {
+  const { columns, rows } = materialsOf(project);
+  return (
+    <section>
+      <h3>Ground</h3>
+      <table class="materials">
+        <thead>
+          <tr>
+            <th scope="col">Material</th>
+            {columns.map((title) => (
+              <th key={title} scope="col">
+                {title}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {rows.slice(0, mostMaterials).map(({ name, values }) => (
+            <tr key={name}>
+              <th scope="row">{name}</th>
+              {values.map((value, k) => (
+                <td key={columns[k]}>{value}</td>
+              ))}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {rows.length > mostMaterials && <p>and {counted(rows.length - mostMaterials, 'more material')}</p>}
+    </section>
+  );
+}
+
+/// "road.toml:31: warning: " of the command line is left out.
+const warningText = (text: string) => text.replace(/^(?:.*?: )?warning: /, '');
+
+function Warnings({ of, summary }: { of: AskedAnswer; summary: Summary }) {
+  const texts = [
+    ...(isOutdated.value ? ['The project has changed since this run.'] : []),
+    ...of.problems.map(({ text }) => text),
+    ...summary.warnings.map(warningText),
+  ];
+  if (texts.length === 0) return null;
+  return (
+    <section>
+      <h3>Warnings</h3>
+      <ul>
+        {first(texts, mostWarnings, 'warnings, in the report').map((text) => (
+          <li key={text}>{text}</li>
+        ))}
+      </ul>
+    </section>
+  );
+}
+
+interface Props {
+  of: AskedAnswer;
+  summary: Summary;
+  /// What an asked barrier stops by its own height and capacity; null: none is asked.
+  asItStands: string | null;
+  picture: string | null;
+}
+
+export function AnswerSheet({ of, summary, asItStands, picture }: Props) {
   const run = shown.value!;
   const length = displayOf('m').unit;
   return (
@@ -103,18 +189,27 @@ export function AnswerSheet({ of, picture }: { of: AskedAnswer; picture: string 
         <h1>{projectTitle()}</h1>
         <p>{titleBlockFacts().join(' · ')}</p>
       </header>
-      {picture && <img src={picture} alt="The view" />}
+      {picture && (
+        <div class="picture-of-view">
+          <img src={picture} alt="The view" />
+        </div>
+      )}
       <h2>What passes</h2>
       <Place of={of} />
       <div class="columns">
         <div>
           <Shares of={of} />
           <Figures of={of.kind === 'polygon' ? figuresOfArea(of) : figuresOfLine(of)} />
-          <Kit of={of} />
+          <Kit of={of} asItStands={asItStands} />
           {of.enough.text !== '' && <p>{of.enough.text}.</p>}
           <Places />
         </div>
-        <Changes />
+        <div>
+          <Rocks of={summary} />
+          <Ground of={summary} />
+          <Changes />
+          <Warnings of={of} summary={summary} />
+        </div>
       </div>
       <footer>
         {[file.value, `run ${run.name}`, run.begun.slice(0, 10), length !== 'm' && 'place in metres', `Talus ${about.value?.version ?? ''}`].filter(Boolean).join(' · ')}

@@ -40,7 +40,7 @@ function paint(scene: ModelScene): SheetPicture {
       'scale at the centre of the view',
       ...(interval > 0 ? [`contour interval ${numberText(interval)} m`] : []),
       ...(exaggeration.peek() !== 1 ? [`vertical exaggeration ${exaggeration.peek()}`] : []),
-      ...(shownMap.peek() ? [`map ${shownMap.peek()!.name}`] : []),
+      ...(shownMap.peek() ? [`map of ${shownMap.peek()!.meaning}`] : []),
     ];
     return { canvas, legends: sceneLegends(), metresPerPixel, heading, remarks };
   });
