@@ -1,4 +1,4 @@
-// Trajectories and end points over a map. They would hide it, so they are drawn only on request.
+// Trajectories and end points over a map. They would hide it, so each is drawn only on request.
 
 import { computed } from '@preact/signals';
 import { keptOfProject } from '../state/ofProject';
@@ -6,6 +6,7 @@ import { layers } from '../view/settings';
 import { shownMap } from './shownMap';
 
 export const pathsOverMap = keptOfProject<boolean>('paths over map', false);
-const isFree = computed(() => shownMap.value === null || pathsOverMap.value);
-export const arePathsShown = computed(() => layers.paths.value && isFree.value);
-export const areEndsShown = computed(() => layers.ends.value && isFree.value);
+export const endsOverMap = keptOfProject<boolean>('end points over map', false);
+const isFree = computed(() => shownMap.value === null);
+export const arePathsShown = computed(() => layers.paths.value && (isFree.value || pathsOverMap.value));
+export const areEndsShown = computed(() => layers.ends.value && (isFree.value || endsOverMap.value));
