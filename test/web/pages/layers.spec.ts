@@ -115,7 +115,7 @@ test('no dropped file replaces the terrain unasked', async ({ workbench: page, s
 test('a file dropped before the model is built can be what it can be afterwards', async ({ workbench: page, server }) => {
   write(server);
   await page.reload();
-  await page.route('**/api/models', async (route) => {
+  await page.route('**/api/model', async (route) => {
     await new Promise((resolve) => setTimeout(resolve, 2000));
     await route.continue();
   });

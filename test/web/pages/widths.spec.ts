@@ -1,7 +1,7 @@
 // The page is never wider than the window.
 
 import type { Page } from '@playwright/test';
-import { backToModel, openExample, openForm } from '../support/steps';
+import { backToModel, openExample, openForm, toStartPage } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
 const widths = (page: Page) => page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
@@ -58,4 +58,24 @@ test('in a small window, as at 200 % zoom, the page scrolls and stays usable', a
   await expect(name).toBeInViewport({ ratio: 1 });
   await page.setViewportSize({ width: 1366, height: 384 });
   await expect.poll(() => heightOf('.workbench')).toBeGreaterThanOrEqual(560);
+});
+
+test('at 150 % zoom on a laptop, tools and legends leave the map free', async ({ workbench: page }) => {
+  for (const example of ['Tutorial 1, a section', 'Tutorial 1, in 3D']) {
+    await openExample(page, example);
+    await page.setViewportSize({ width: 911, height: 512 }); // 1366 by 768 at 150 %
+    const boxOf = async (selector: string) => (await page.locator(selector).first().boundingBox())!;
+    await expect.poll(async () => (await boxOf('.picture')).height).toBeGreaterThanOrEqual(260);
+    const [tools, legend, picture] = [await boxOf('.view-bar'), await boxOf('.legend'), await boxOf('.picture')];
+    expect(tools.height).toBeLessThan(40);
+    expect(tools.x + tools.width <= legend.x || tools.y + tools.height <= legend.y).toBe(true);
+    expect(legend.width * legend.height).toBeLessThan(0.3 * picture.width * picture.height);
+    // A chosen tool folds them again, beside its card.
+    await page.getByRole('button', { name: 'View tools' }).click();
+    await page.getByRole('button', { name: 'Ask a line', exact: true }).click();
+    await expect.poll(async () => (await boxOf('.view-bar')).height).toBeLessThan(40);
+    await page.getByRole('region', { name: 'Ask a line' }).getByRole('button', { name: 'Close' }).click();
+    await page.setViewportSize({ width: 1366, height: 768 });
+    await toStartPage(page);
+  }
 });

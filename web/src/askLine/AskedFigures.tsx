@@ -59,7 +59,7 @@ const quantities = (height: string) =>
     ['velocity', 'velocity_m_s', 'm/s'],
   ] as const;
 
-/// What the figure is called in the answer of what if; null: it does not have it.
+/// Over the inputs of what if; null: unknown, or what if has no such figure.
 function rangeFor(key: (typeof quantities)[number][1], percentile: string): [number, number] | null {
   const answer = whatIfAnswer();
   if (!answer || String(answer.percentile) !== percentile) return null;

@@ -6,7 +6,7 @@ import { OverMap } from '../maps/OverMap';
 import { drapedMap, drapedOpacity } from '../state/view';
 import { numberText } from '../ui/format';
 import { displayOf } from '../state/displayUnits';
-import { mapGroups, type MapGroup } from './mapGroups';
+import { capital, mapGroups, type MapGroup } from './mapGroups';
 import { useRemote } from './remote';
 import { Waiting } from './Waiting';
 
@@ -44,7 +44,7 @@ function Group({ of: { title, unit, source, maps }, hasSources }: { of: MapGroup
 function Draped({ run, map }: { run: Run; map: RunMap }) {
   return (
     <span>
-      <strong>{map.meaning}</strong>, {rangeOf(map)}:{' '}
+      <strong>{capital(map.meaning)}</strong>, {rangeOf(map)}:{' '}
       <a href={fileAddress(run.id, `maps/${map.name}.tif`)} download>
         {map.name}.tif
       </a>

@@ -11,7 +11,7 @@ export interface MapGroup {
   maps: { map: RunMap; part: string }[];
 }
 
-const capital = (text: string) => `${text.charAt(0).toUpperCase()}${text.slice(1)}`;
+export const capital = (text: string) => `${text.charAt(0).toUpperCase()}${text.slice(1)}`;
 
 /// A meaning is "quantity: part", or a count. Groups come in the order of their first maps.
 export function mapGroups(maps: readonly RunMap[]): MapGroup[] {

@@ -72,8 +72,10 @@ export function SectionView() {
         role="img"
         aria-label={`The slope in section, ${now?.seeders.length ?? 0} seeders, ${now?.barriers.length ?? 0} barriers and collectors. Arrow keys move the view, plus and minus zoom, 0 shows all.`}
       />
-      <SectionBar />
-      <Legends list={sectionLegends()} isAbove />
+      <div class="above">
+        <SectionBar />
+        <Legends list={sectionLegends()} />
+      </div>
       <Status />
     </div>
   );

@@ -67,9 +67,9 @@ function Legend({ of }: { of: LegendData }) {
   }
 }
 
-export function Legends({ list, isAbove = false }: { list: readonly LegendData[]; isAbove?: boolean }) {
+export function Legends({ list }: { list: readonly LegendData[] }) {
   return (
-    <div class={isAbove ? 'legends above' : 'legends'}>
+    <div class="legends">
       {list.map((of) => (
         <Legend key={of.kind === 'remark' ? of.text : of.title} of={of} />
       ))}
