@@ -123,6 +123,7 @@ Model model_on(const bench::SmoothTerrain& terrain, double cell, const RockKind&
   seeder.rocks = options.rocks;
   const Vec3 line[] = {{terrain.from.x(), terrain.from.y(), 0}, {terrain.to.x(), terrain.to.y(), 0}};
   seeder.where = ReleaseLines(line);
+  seeder.step = even_step(count_places(seeder));
   seeder.above_surface = 3;
   seeder.size_of = SizeOf::diameter;
   seeder.size = spread(1.0, 0.2, {});

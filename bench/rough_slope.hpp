@@ -98,6 +98,7 @@ template <class Surface>
   const double third = (width - 200) / 3;
   const Vec3 crest[] = {{5, 100, 0}, {10, 100 + third, 0}, {5, 100 + 2 * third, 0}, {10, width - 100, 0}};
   seeder.where = ReleaseLines(crest);
+  seeder.step = even_step(count_places(seeder));
   seeder.above_surface = 6;
   seeder.size = Sampler(1000.0);
   seeder.density = Sampler(2700.0);

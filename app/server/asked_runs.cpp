@@ -122,23 +122,22 @@ std::function<bool(std::uint64_t)> rocks_passing(const Call& call, const Run& ru
   };
   std::vector<std::shared_ptr<const std::vector<std::uint64_t>>> selections;
   for (const std::string& name : values("crossing")) selections.push_back(asked.selection(run.id, name));
-  std::vector<RockRange> released;
+  std::vector<std::size_t> released;
+  std::shared_ptr<const ReleaseSpots> spots;
   for (const std::string& text : values("release")) {
-    const auto spots = asked.releases(run);
+    if (!spots) spots = asked.releases(run);
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || end != text.data() + text.size() || number >= spots->list().size())
       throw Refusal(400, "release", fmt::format("this run has no release place \"{}\"", text),
                     fmt::format("expected a number below {}", spots->list().size()));
-    const ReleaseSpot& spot = spots->list()[number];
-    released.push_back({spot.first_rock, spot.first_rock + spot.rocks});
+    released.push_back(number);
   }
   if (selections.empty() && released.empty()) return {};
-  return [selections, released](std::uint64_t rock) {
+  return [selections, released, spots](std::uint64_t rock) {
     const auto has = [&](const auto& selection) { return std::ranges::binary_search(*selection, rock); };
-    const auto contains = [&](const RockRange& range) { return rock >= range.first && rock < range.last; };
     return (selections.empty() || std::ranges::any_of(selections, has)) &&
-           (released.empty() || std::ranges::any_of(released, contains));
+           (released.empty() || std::ranges::count(released, spots->of_rock(rock)) > 0);
   };
 }
 

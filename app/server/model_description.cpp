@@ -41,16 +41,14 @@ class Describer {
     return {{"min", place(box.low)}, {"max", place(box.high)}};
   }
 
-  /// Release places of some of its rocks, evenly spread over all.
+  /// Release places of its first turns, which are spread evenly over all.
   [[nodiscard]] Json places(const Seeder& seeder) const {
     const bool is_point = std::holds_alternative<Vec3>(*seeder.where);
-    const std::uint64_t count = is_point ? 1 : std::min(seeder.rocks, most_places);
+    const ReleaseOrder order = release_order(seeder, model_.seed);
+    const std::uint64_t count = is_point ? 1 : std::min(order.turns(), most_places);
     Json list = Json::array();
-    for (std::uint64_t k = 0; k < count; ++k) {
-      // rocks * k / count without overflow: there may be 10^15 rocks.
-      const std::uint64_t rock = seeder.rocks / count * k + seeder.rocks % count * k / count;
-      list.push_back(place(start_of(model_, seeder.first_rock + rock)));
-    }
+    for (std::uint64_t turn = 0; turn < count; ++turn)
+      list.push_back(place(start_of(model_, seeder.first_rock + turn * order.rocks_at_once)));
     return list;
   }
 

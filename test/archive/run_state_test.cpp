@@ -33,7 +33,7 @@ RunStateHeader full_header() {
   description.project = {{"sampling", {{"seed", 18446744073709551615U}}}, {"x", 0.1}};
   description.model = nlohmann::ordered_json::parse(
       R"({"seed": 1, "energy_datum_m": -25.0, "origin_m": [0, 0, 0], "terrain": {"kind": "section"}, "sources": [],
-          "barriers": [{"name": "Fence", "kind": "barrier"}]})");
+          "releases": [],          "barriers": [{"name": "Fence", "kind": "barrier"}]})");
   description.warnings = {"one", "two"};
   description.crs_wkt = "PROJCS[...]";
   description.sources = {"north", "south"};

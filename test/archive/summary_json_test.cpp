@@ -24,8 +24,13 @@ RunDescription description_of(std::size_t barriers) {
   description.rocks = 10;
   description.barriers = barriers;
   description.project = {{"name", "Wall"}, {"seeder", {{{"name", "Line\nend"}}}}};
-  description.model = {{"seed", 7U},          {"barriers", Json::array()}, {"sources", Json::array()},
-                       {"energy_datum_m", 0}, {"origin_m", {0, 0, 0}},     {"terrain", {{"kind", "section"}}}};
+  description.model = {{"seed", 7U},
+                       {"barriers", Json::array()},
+                       {"sources", Json::array()},
+                       {"releases", Json::array()},
+                       {"energy_datum_m", 0},
+                       {"origin_m", {0, 0, 0}},
+                       {"terrain", {{"kind", "section"}}}};
   for (std::size_t k = 0; k < barriers; ++k) {
     description.model["barriers"].push_back(
         {{"name", "c" + std::to_string(k)}, {"kind", "collector"}, {"line_xyz", Json::array()}});

@@ -191,8 +191,8 @@ TEST_F(RunGis, TheGeoPackageAgreesWithTheTables) {
   EXPECT_EQ(foot.getX(0), 400'200);
   EXPECT_EQ(foot.getY(foot.getNumPoints() - 1), 300'390);
   EXPECT_EQ(static_cast<std::size_t>(foot.getNumPoints()), net["line_xyz"].size());
-  EXPECT_EQ(summary["sources"], nlohmann::json::parse(R"([{"name": "upper", "rocks": [[0, 400]]},
-                                                          {"name": "lower", "rocks": [[400, 200]]}])"));
+  EXPECT_EQ(summary["sources"], nlohmann::json::parse(R"([{"name": "upper", "rocks": 400},
+                                                          {"name": "lower", "rocks": 200}])"));
 }
 
 TEST_F(RunGis, AllFilesHaveTheSameBytesOnAnyNumberOfThreads) {

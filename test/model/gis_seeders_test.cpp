@@ -106,7 +106,7 @@ TEST_F(GisSeeders, EveryCellHasTheSameProbability) {
   };
   std::vector<double> x;
   for (std::uint64_t rock = 0; rock < 50000; ++rock) {
-    x.push_back(place_of(built.seeders[0], Draws({1, {}, 0, 50000}, rock)).point.x());
+    x.push_back(place_of(built.seeders[0], {1, {}, 0, 50000}, rock).point.x());
   }
   EXPECT_GT(kolmogorov_probability(kolmogorov_distance(x, share_to_the_west), x.size()), 1e-3);
   for (std::size_t k = 0; k < x.size(); k += 5) x[k] += 10;

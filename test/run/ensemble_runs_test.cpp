@@ -71,8 +71,10 @@ void write_maps_of(const LoadedRun& loaded, std::uint64_t ensemble, const fs::pa
     ASSERT_TRUE(number);
     ASSERT_FALSE(number->set(alone, set[k]));
   }
-  const Model model = build_model(alone, none);
+  Model model = build_model(alone, none);
   ASSERT_TRUE(model.ensembles.empty());
+  model.seeders = loaded.model.seeders;  // ensembles have the same places
+  set_properties(alone, model);
   const auto maps = map_observer(alone, model);
   const auto part = maps->new_part();
   Simulator simulator(model);

@@ -72,8 +72,11 @@ RunDescription described(const char* model) {
 
 TEST(WarningsOfSources, NameSourcesWhoseRocksWereNotRun) {
   const RunDescription three = described(
-      R"({"sources": [{"name": "West", "rocks": [[0, 10], [50, 10]]}, {"name": "Middle", "rocks": [[10, 20]]},
-                      {"name": "East", "rocks": [[30, 20]]}]})");
+      R"({"sources": [{"name": "West", "rocks": 20}, {"name": "Middle", "rocks": 20}, {"name": "East", "rocks": 20}],
+          "releases": [{"first_rock": 0, "rocks": 30, "rocks_at_once": 1, "places": 30, "step": 11, "start": 4,
+                        "sources": [[0, 0], [10, 1]]},
+                       {"first_rock": 30, "rocks": 30, "rocks_at_once": 1, "places": 30, "step": 11, "start": 4,
+                        "sources": [[0, 2], [20, 0]]}]})");
   const auto warnings_of = [&](std::uint64_t first_not_run) {
     Problems warnings;
     warn_of_sources(three, first_not_run, warnings);
@@ -81,16 +84,25 @@ TEST(WarningsOfSources, NameSourcesWhoseRocksWereNotRun) {
   };
   const std::string hint = "). Go on with --resume; what there is says nothing of the whole";
   EXPECT_EQ(warnings_of(20),
-            "warning: rocks: the run was stopped before \"East\" released any rock (rocks are run source after source; "
+            "warning: rocks: the run was stopped before \"East\" released any rock (rocks are run seeder after seeder; "
             "of \"West\", \"Middle\" not all were" +
                 hint);
   EXPECT_EQ(warnings_of(35),
-            "warning: rocks: the run was stopped before all sources had released their rocks (rocks are run source "
-            "after source; of \"West\", \"East\" not all were" +
+            "warning: rocks: the run was stopped before all sources had released their rocks (rocks are run seeder "
+            "after seeder; of \"West\", \"East\" not all were" +
                 hint);
   Problems warnings;
-  warn_of_sources(described(R"({"sources": [{"name": "All", "rocks": [[0, 100]]}]})"), 5, warnings);
-  EXPECT_EQ(warnings.text(), "") << "of one source the first rocks are as good as any";
+  const RunDescription one = described(
+      R"({"sources": [{"name": "West", "rocks": 70}, {"name": "East", "rocks": 30}],
+          "releases": [{"first_rock": 0, "rocks": 100, "rocks_at_once": 1, "places": 100, "step": 61, "start": 0,
+                        "sources": [[0, 0], [70, 1]]}]})");
+  warn_of_sources(one, 5, warnings);
+  EXPECT_EQ(warnings.text(), "") << "the first rocks of a seeder are spread over all of its places";
+  warn_of_sources(one, 1, warnings);
+  EXPECT_EQ(warnings.text(),
+            "warning: rocks: the run was stopped before \"East\" released any rock (few rocks were "
+            "run; of \"West\" not all were" +
+                hint);
 }
 
 TEST(WarningsOfCollectors, ReportHowManyRocksPassedAbove) {

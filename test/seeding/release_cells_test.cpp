@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "sampling/goodness_of_fit.hpp"
-#include "support/dice.hpp"
 #include "talus/seeding/seeder.hpp"
 
 namespace talus {
@@ -32,38 +31,8 @@ Seeder seeder_of(ReleaseCells cells, std::uint64_t rocks) {
   seeder.rocks = rocks;
   seeder.where = std::move(cells);
   seeder.above_surface = 0;
+  seeder.step = even_step(count_places(seeder));
   return seeder;
-}
-
-TEST(ReleaseCells, DistributeAnyNumberOfRocksEvenly) {
-  Dice dice(17);
-  for (int round = 0; round < 200; ++round) {
-    const auto cells = some_cells(1 + static_cast<std::uint32_t>(dice.below(300)));
-    const std::uint64_t rocks = 1 + dice.below(2000), count = cells.cells.size();
-    std::vector<std::uint64_t> of_cell(count);
-    std::size_t previous = 0;
-    for (std::uint64_t k = 0; k < rocks; ++k) {
-      const std::size_t entry = cells.entry_of(k, rocks);
-      ASSERT_LT(entry, count);
-      ASSERT_GE(entry, previous);
-      previous = entry;
-      ++of_cell[entry];
-    }
-    for (const std::uint64_t n : of_cell) {
-      ASSERT_GE(n, rocks / count);
-      ASSERT_LE(n, rocks / count + (rocks % count == 0 ? 0 : 1));
-    }
-  }
-}
-
-TEST(ReleaseCells, ProductsBeyond64BitsDoNotOverflow) {
-  ReleaseCells cells;
-  cells.cells.resize(3'000'000'000 / 1000);  // 3e6 cells, 1e12 rocks: the product has 62 bits
-  const std::uint64_t rocks = 1'000'000'000'000;
-  EXPECT_EQ(cells.entry_of(0, rocks), 0U);
-  EXPECT_EQ(cells.entry_of(rocks - 1, rocks), 2'999'999U);
-  EXPECT_EQ(cells.entry_of(rocks / 2, rocks), 1'500'000U);
-  EXPECT_EQ(cells.entry_of(0xffff'ffff'ffff'fffe, 0xffff'ffff'ffff'ffff), 2'999'999U);
 }
 
 TEST(ReleaseCells, TheSourceOfACellIsThatOfItsRun) {
@@ -81,8 +50,8 @@ TEST(PlaceOf, ACellIsAPlaceInItWithItsMiddle) {
     cells.place = place;
     const Seeder seeder = seeder_of(cells, 500);
     for (std::uint64_t rock = 1000; rock < 1500; ++rock) {
-      const ReleasePlace start = place_of(seeder, Draws(SamplingPlan{9}, rock));
-      const std::uint32_t cell = static_cast<std::uint32_t>((rock - 1000) / 100) * 3;
+      const ReleasePlace start = place_of(seeder, SamplingPlan{9}, rock);
+      const std::uint32_t cell = 3 * static_cast<std::uint32_t>(release_order(seeder, 9).place_of(rock));
       const double west = 100 + 3.0 * (cell % 7), south = -50 + 2.0 * (cell / 7);
       ASSERT_EQ(*start.middle, Vec2(west + 1.5, south + 1));
       ASSERT_GT(start.point.x(), west);
@@ -101,7 +70,7 @@ TEST(PlaceOf, PlacesInACellAreUniform) {
   const Seeder seeder = seeder_of(some_cells(1), 20'000);
   std::vector<double> x, y, product;
   for (std::uint64_t rock = 1000; rock < 21'000; ++rock) {
-    const Vec3 place = place_of(seeder, Draws(SamplingPlan{9}, rock)).point;
+    const Vec3 place = place_of(seeder, SamplingPlan{9}, rock).point;
     x.push_back((place.x() - 100) / 3);
     y.push_back((place.y() + 50) / 2);
   }
@@ -122,7 +91,7 @@ TEST(PlaceOf, PlacesAreStratifiedOverTheSeeder) {
   std::vector<int> hits(400);
   for (std::uint64_t rock = 1000; rock < 1400; ++rock) {
     const SamplingPlan plan{9, SamplingMethod::latin_hypercube, 1000, 400};
-    const ReleasePlace start = place_of(seeder, Draws(plan, rock));
+    const ReleasePlace start = place_of(seeder, plan, rock);
     const double u = (start.point.x() - (start.middle->x() - 1.5)) / 3;
     ++hits[static_cast<std::size_t>(std::min(399.0, 400 * u))];
   }

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numbers>
 #include <vector>
 
+#include "support/dice.hpp"
 #include "talus/seeding/seeder.hpp"
 
 namespace talus {
@@ -15,12 +17,14 @@ namespace {
 Seeder seeder_of(ReleaseTable table, std::uint64_t rocks) {
   Seeder seeder;
   seeder.rocks = rocks;
+  table.order_by_place();
   seeder.where = std::move(table);
   seeder.size = Sampler(500.0);
   seeder.density = Sampler(2500.0);
   seeder.horizontal = Sampler(3.0);
   seeder.vertical = Sampler(-1.0);
   seeder.spin = Sampler(2.0);
+  seeder.step = even_step(count_places(seeder));
   return seeder;
 }
 
@@ -32,17 +36,33 @@ ReleaseTable some_rows(std::size_t count, std::size_t each_source = 1000) {
   return table;
 }
 
-Release release_of_rock(const Seeder& seeder, std::uint64_t rock, const Vec3& direction = Vec3::UnitX()) {
-  const Draws draws({1, {}, seeder.first_rock, seeder.rocks}, rock);
-  const ReleasePlace place = place_of(seeder, draws);
-  return release_at(seeder, place.point, direction, draws, place.given);
+/// Of the only rock of a row.
+Release release_of_row(const Seeder& seeder, std::size_t row, const Vec3& direction = Vec3::UnitX()) {
+  const ReleaseOrder order = release_order(seeder, 1);
+  std::uint64_t rock = 0;
+  while (std::get<ReleaseTable>(*seeder.where).row_at(order.place_of(rock)) != row) ++rock;
+  const SamplingPlan plan{1, {}, seeder.first_rock, seeder.rocks};
+  const ReleasePlace place = place_of(seeder, plan, rock);
+  return release_at(seeder, place.point, direction, Draws(plan, rock), place.given);
 }
 
-TEST(ReleaseTables, ReleaseRocksFromTheirRowsInOrder) {
-  Seeder seeder = seeder_of(some_rows(7), 21);
-  seeder.first_rock = 100;
-  for (std::uint64_t k = 0; k < 21; ++k)
-    EXPECT_EQ(place_of(seeder, Draws({1, {}, 100, 21}, 100 + k)).point.x(), static_cast<double>(k / 3));
+// Rows in random order: the first of them in their turn are spread over all.
+TEST(ReleaseTables, TakeTurnsAlongACurveOnPlan) {
+  testing_tools::Dice dice(5);
+  ReleaseTable table;
+  for (std::uint32_t k = 0; k < 400; ++k) table.add(Vec3(dice.between(0, 10), dice.between(0, 10), 0), {}, {}, k + 1);
+  table.order_by_place();
+  double way = 0;
+  for (std::size_t k = 0; k + 1 < 400; ++k)
+    way += (table.place(table.row_at(k + 1)) - table.place(table.row_at(k))).norm();
+  EXPECT_LT(way / 399, 0.7) << "neighbours are half a metre apart; random places are 5 m apart";
+  const Seeder seeder = seeder_of(std::move(table), 400);
+  std::array<int, 4> quarters{};
+  for (std::uint64_t rock = 0; rock < 40; ++rock) {
+    const Vec3 at = place_of(seeder, {1, {}, 0, 400}, rock).point;
+    ++quarters[(at.x() < 5 ? 0 : 1) + (at.y() < 5 ? 0 : 2)];
+  }
+  for (const int count : quarters) EXPECT_NEAR(count, 10, 4);
 }
 
 TEST(ReleaseTables, ShareAnyNumberOfRocksEvenly) {
@@ -50,20 +70,23 @@ TEST(ReleaseTables, ShareAnyNumberOfRocksEvenly) {
     const Seeder seeder = seeder_of(some_rows(7), rocks);
     std::vector<std::uint64_t> counts(7);
     for (std::uint64_t k = 0; k < rocks; ++k)
-      ++counts[static_cast<std::size_t>(place_of(seeder, Draws({1, {}, 0, rocks}, k)).point.x())];
+      ++counts[static_cast<std::size_t>(place_of(seeder, {1, {}, 0, rocks}, k).point.x())];
     for (const std::uint64_t count : counts) EXPECT_TRUE(count == rocks / 7 || count == rocks / 7 + 1) << rocks;
   }
 }
 
 TEST(ReleaseTables, HaveTheSourcesOfTheirRows) {
   const Seeder seeder = seeder_of(some_rows(7, 3), 14);
-  const auto runs = source_runs(seeder, 1, SamplingMethod::monte_carlo);
+  const auto runs = source_runs(seeder, 1);
   ASSERT_EQ(runs.size(), 3U);
-  for (const SourceRun& run : runs) {
-    for (std::uint64_t k = run.first_rock; k < run.first_rock + run.rocks; ++k)
-      EXPECT_EQ(place_of(seeder, Draws({1, {}, 0, 14}, k)).source, run.source);
+  EXPECT_EQ(runs[1].first_place, 3U);
+  EXPECT_EQ(runs[2].first_place, 6U);
+  const ReleaseOrder order = release_order(seeder, 1);
+  for (std::uint64_t rock = 0; rock < 14; ++rock) {
+    const ReleasePlace place = place_of(seeder, {1, {}, 0, 14}, rock);
+    EXPECT_EQ(place.source.index, order.place_of(rock) / 3);
+    EXPECT_EQ(place.source.index, static_cast<std::uint32_t>(place.point.x()) / 3);
   }
-  EXPECT_EQ(runs[0].rocks + runs[1].rocks + runs[2].rocks, 14U);
 }
 
 TEST(ReleaseTables, KeepWhatEachRowGives) {
@@ -90,7 +113,7 @@ TEST(ReleaseTables, ReplaceTheSettingsOfTheSeeder) {
   row.velocity = {0, 4, -1};
   row.spin_vector = {1, 2, 3};
   table.add(Vec3(5, 6, 7), row, {}, 1);
-  const Release release = release_of_rock(seeder_of(std::move(table), 1), 0);
+  const Release release = release_of_row(seeder_of(std::move(table), 1), 0);
   EXPECT_EQ(release.motion.position, Vec3(5, 6, 7));
   EXPECT_EQ(release.rock.mass, 70);
   EXPECT_DOUBLE_EQ(release.rock.radius, sphere_of_mass(70, 2800).radius);
@@ -99,7 +122,7 @@ TEST(ReleaseTables, ReplaceTheSettingsOfTheSeeder) {
 }
 
 TEST(ReleaseTables, LeaveTheRestToTheSeeder) {
-  const Release release = release_of_rock(seeder_of(some_rows(1), 1), 0, Vec3::UnitY());
+  const Release release = release_of_row(seeder_of(some_rows(1), 1), 0, Vec3::UnitY());
   EXPECT_EQ(release.rock.mass, 500);
   EXPECT_DOUBLE_EQ(release.rock.radius, sphere_of_mass(500, 2500).radius);
   EXPECT_EQ(release.motion.velocity, Vec3(0, 3, -1));
@@ -117,11 +140,11 @@ TEST(ReleaseTables, GiveVolumesAndPartsOfVelocities) {
   for (const ReleaseRow& row : {volume, horizontal, speed, roll}) table.add(Vec3::Zero(), row, {}, 1);
   const Seeder seeder = seeder_of(std::move(table), 4);
   const Vec3 down = Vec3(0.6, 0, -0.8);
-  EXPECT_EQ(release_of_rock(seeder, 0).rock.mass, 5000);
-  EXPECT_EQ(release_of_rock(seeder, 1, down).motion.velocity, Vec3(8, 0, -1));
-  EXPECT_EQ(release_of_rock(seeder, 2, down).motion.velocity, Vec3(10 * down));
+  EXPECT_EQ(release_of_row(seeder, 0).rock.mass, 5000);
+  EXPECT_EQ(release_of_row(seeder, 1, down).motion.velocity, Vec3(8, 0, -1));
+  EXPECT_EQ(release_of_row(seeder, 2, down).motion.velocity, Vec3(10 * down));
   // It rolls the way it moves, towards -y: about +x.
-  EXPECT_EQ(release_of_rock(seeder, 3, down).motion.spin, Vec3(4, 0, 0));
+  EXPECT_EQ(release_of_row(seeder, 3, down).motion.spin, Vec3(4, 0, 0));
 }
 
 // A speed of the seeder gives way to parts of a velocity in the row.
@@ -134,8 +157,8 @@ TEST(ReleaseTables, PrecedeTheSpeedOfTheSeeder) {
   Seeder seeder = seeder_of(std::move(table), 2);
   seeder.speed = Sampler(20.0);
   seeder.horizontal = Sampler(0.0);
-  EXPECT_EQ(release_of_rock(seeder, 0).motion.velocity, Vec3(0, 0, 6));
-  EXPECT_EQ(release_of_rock(seeder, 1).motion.velocity, Vec3(20, 0, 0));
+  EXPECT_EQ(release_of_row(seeder, 0).motion.velocity, Vec3(0, 0, 6));
+  EXPECT_EQ(release_of_row(seeder, 1).motion.velocity, Vec3(20, 0, 0));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -51,18 +52,19 @@ TEST(SourceRuns, AreTheSourcesOfTheRocks) {
       for (const SamplingMethod method : {SamplingMethod::monte_carlo, SamplingMethod::latin_hypercube}) {
         seeder.first_rock = 40;
         seeder.rocks = rocks;
-        const std::vector<SourceRun> runs = source_runs(seeder, 9, method);
-        std::uint64_t next = 40;
-        for (std::size_t k = 0; k < runs.size(); ++k) {
-          EXPECT_EQ(runs[k].first_rock, next);
-          EXPECT_GT(runs[k].rocks, 0U);
-          EXPECT_TRUE(k == 0 || runs[k].source != runs[k - 1].source);
-          for (; next < runs[k].first_rock + runs[k].rocks; ++next) {
-            const Draws draws({9, method, 40, rocks}, next);
-            ASSERT_EQ(place_of(seeder, draws).source, runs[k].source) << next;
-          }
+        seeder.step = even_step(count_places(seeder));
+        const ReleaseOrder order = release_order(seeder, 9);
+        const std::vector<SourceRun> runs = source_runs(seeder, 9);
+        ASSERT_EQ(runs.front().first_place, 0U);
+        for (std::size_t k = 1; k < runs.size(); ++k) {
+          EXPECT_GT(runs[k].first_place, runs[k - 1].first_place);
+          EXPECT_LT(runs[k].first_place, order.places);
+          EXPECT_NE(runs[k].source, runs[k - 1].source);
         }
-        EXPECT_EQ(next, 40 + rocks);
+        for (std::uint64_t rock = 40; rock < 40 + rocks; ++rock) {
+          const auto after = std::ranges::upper_bound(runs, order.place_of(rock), {}, &SourceRun::first_place);
+          ASSERT_EQ(place_of(seeder, {9, method, 40, rocks}, rock).source, std::prev(after)->source) << rock;
+        }
       }
     }
   }
@@ -76,23 +78,23 @@ TEST(PlaceOf, SeveralLinesShareTheRocksByLength) {
   lines.add(right, SourceId{1});
   seeder.where = lines;
   seeder.rocks = 1000;
-  const std::vector<SourceRun> runs = source_runs(seeder, 1, SamplingMethod::monte_carlo);
-  ASSERT_EQ(runs.size(), 2U);
-  EXPECT_EQ(runs[0].rocks, 300U);
-  std::array<int, 7> tenths{};
-  for (std::uint64_t rock = 0; rock < 1000; ++rock) {
-    const ReleasePlace place = place_of(seeder, Draws({1, SamplingMethod::monte_carlo, 0, 1000}, rock));
-    EXPECT_EQ(place.point.x(), rock < 300 ? 0 : 10);
-    if (rock >= 300) ++tenths[static_cast<std::size_t>(place.point.y() / 10)];
+  seeder.step = even_step(count_places(seeder));
+  ASSERT_EQ(source_runs(seeder, 1).size(), 2U);
+  for (const SamplingMethod method : {SamplingMethod::monte_carlo, SamplingMethod::latin_hypercube}) {
+    std::array<int, 10> tenths{};
+    for (std::uint64_t rock = 0; rock < 1000; ++rock) {
+      const Vec3 point = place_of(seeder, {1, method, 0, 1000}, rock).point;
+      ++tenths[static_cast<std::size_t>((point.y() + (point.x() == 0 ? 0 : 30)) / 10)];
+    }
+    for (const int count : tenths) EXPECT_NEAR(count, 100, 1);
   }
-  for (const int count : tenths) EXPECT_NEAR(count, 100, 40);  // four standard deviations
 }
 
 TEST(PlaceOf, APointIsThePoint) {
   Seeder seeder = point_seeder();
   seeder.source = SourceId{4};
   for (const std::uint64_t rock : {0, 1, 2}) {
-    const ReleasePlace place = place_of(seeder, Draws(SamplingPlan{}, rock));
+    const ReleasePlace place = place_of(seeder, SamplingPlan{}, rock);
     EXPECT_EQ(place.point, Vec3(1, 2, 3));
     EXPECT_EQ(place.source, SourceId{4});
   }

@@ -41,8 +41,14 @@ inline nlohmann::ordered_json summary_3d() {
   all["rocks"] = {{"planned", 6}, {"done", 6}, {"lifted", 0}, {"with_endpoint", 6}, {"with_path", 6}};
   all["terrain"] = {{"kind", "mesh"}};
   all["barriers"] = Json::array({barrier_3d("Fence", "barrier"), collector});
-  all["sources"] = Json::array({{{"name", "Wall"}, {"rocks", Json::array({{0, 2}, {4, 2}})}},
-                                {{"name", "Tower, \"old\""}, {"rocks", Json::array({{2, 2}})}}});
+  all["sources"] = Json::array({{{"name", "Wall"}, {"rocks", 4}}, {{"name", "Tower, \"old\""}, {"rocks", 2}}});
+  all["releases"] = Json::array({{{"first_rock", 0},
+                                  {"rocks", 6},
+                                  {"rocks_at_once", 2},
+                                  {"places", 3},
+                                  {"step", 1},
+                                  {"start", 0},
+                                  {"sources", Json::array({{0, 0}, {1, 1}, {2, 0}})}}});
   all["project"] = {
       {"barrier", Json::array({{{"name", "Fence"}, {"height_m", 3}, {"inclination_deg", -10}, {"capacity_kJ", 500}}})},
       {"collector", Json::array({{{"name", "Track"}, {"height_m", 6}, {"inclination_deg", 0}}})},

@@ -193,12 +193,11 @@ Answer releases_of(const OpenRun& open) {
   const auto& spots = sources.spots.list();
   const Vec3 origin =
       spots.empty() ? Vec3(Vec3::Zero()) : origin_near(model.frame.global_from_local(spots.front().place));
-  std::vector<std::uint32_t> first_rocks, rocks, stored;
+  std::vector<std::uint32_t> rocks, stored;
   std::vector<float> positions, sizes;
   std::vector<std::uint16_t> seeders, names;
   for (std::size_t k = 0; k < spots.size(); ++k) {
     const ReleaseSpot& spot = spots[k];
-    first_rocks.push_back(static_cast<std::uint32_t>(spot.first_rock));
     rocks.push_back(static_cast<std::uint32_t>(spot.rocks));
     stored.push_back(static_cast<std::uint32_t>(sources.stored[k]));
     const Vec3 place = model.frame.global_from_local(spot.place) - origin;
@@ -213,7 +212,6 @@ Answer releases_of(const OpenRun& open) {
                  {"seeders", std::move(seeder_names)},
                  {"sources", model.sources},
                  {"places", spots.size()}});
-  arrays.add("first_rocks", std::span<const std::uint32_t>(first_rocks));
   arrays.add("rocks", std::span<const std::uint32_t>(rocks));
   arrays.add("stored", std::span<const std::uint32_t>(stored));
   arrays.add("positions", std::span<const float>(positions));

@@ -237,4 +237,13 @@ void read_json(const JsonValue& json, const JsonPlace& place, T& value) {
   }
 }
 
+/// A part of a file as a declared struct. Throws BadField, which names the place `key`.
+template <class Part>
+[[nodiscard]] Part part_of(const JsonValue& json, const char* key) {
+  Part part{};
+  const JsonPlace whole;
+  read_json(json, JsonPlace(whole, key), part);
+  return part;
+}
+
 }  // namespace talus

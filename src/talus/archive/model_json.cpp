@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -107,19 +108,23 @@ std::vector<double> stations_of(const Barrier& barrier) {
   return stations;
 }
 
-/// The rocks of each source: first rock and number of every unbroken range.
-std::vector<SourceRocks> sources_of(const Model& model) {
+std::vector<SeederReleases> releases_of(const Model& model) {
+  std::vector<SeederReleases> releases;
+  for (const Seeder& seeder : model.seeders) {
+    SeederReleases& of = releases.emplace_back(SeederReleases{release_order(seeder, model.seed)});
+    for (const SourceRun& run : source_runs(seeder, model.seed))
+      of.sources.push_back({run.first_place, run.source.index});
+  }
+  return releases;
+}
+
+std::vector<SourceRocks> sources_of(const Model& model, const std::vector<SeederReleases>& releases) {
   std::vector<SourceRocks> sources(model.sources.size());
   for (std::size_t k = 0; k < sources.size(); ++k) sources[k].name = model.sources[k];
-  for (const Seeder& seeder : model.seeders) {
-    for (const SourceRun& run : source_runs(seeder, model.seed, model.sampling)) {
-      auto& rows = sources.at(run.source.index).rocks;
-      if (!rows.empty() && rows.back()[0] + rows.back()[1] == run.first_rock) {
-        rows.back()[1] += run.rocks;
-      } else {
-        rows.push_back({run.first_rock, run.rocks});
-      }
-    }
+  for (const SeederReleases& of : releases) {
+    of.for_sources([&](std::uint64_t source, std::uint64_t begin, std::uint64_t end) {
+      sources.at(source).rocks += of.rocks_from(begin, end, of.rocks);
+    });
   }
   return sources;
 }
@@ -148,12 +153,17 @@ TerrainSummary terrain_summary(const Model& model) {
 Json model_json(const Model& model) {
   Json barriers = Json::array();
   for (const Barrier& barrier : model.barriers) barriers.push_back(json_of(place_of(model, barrier)));
-  return {{"seed", model.seed},
-          {"barriers", std::move(barriers)},
-          {"sources", json_of(sources_of(model))},
-          {"energy_datum_m", model.energy_datum},
-          {"origin_m", origin_json(model.frame)},
-          {"terrain", json_of(terrain_summary(model))}};
+  const std::vector<SeederReleases> releases = releases_of(model);
+  Json json = {{"seed", model.seed},
+               {"barriers", std::move(barriers)},
+               {"sources", json_of(sources_of(model, releases))},
+               {"releases", json_of(releases)},
+               {"energy_datum_m", model.energy_datum},
+               {"origin_m", origin_json(model.frame)},
+               {"terrain", json_of(terrain_summary(model))}};
+  if (!model.ensembles.empty())
+    json["parameter_sets"] = std::set(model.drawn_parameters.begin(), model.drawn_parameters.end()).size();
+  return json;
 }
 
 }  // namespace talus

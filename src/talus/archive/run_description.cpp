@@ -80,7 +80,8 @@ namespace {
 /// Checks that the barriers and sources of the sums are those of the model.
 void check_model(const RunDescription& description) {
   const Json& model = description.model;
-  for (const char* key : {"seed", "energy_datum_m", "origin_m", "terrain", "barriers", "sources"}) (void)model.at(key);
+  for (const char* key : {"seed", "energy_datum_m", "origin_m", "terrain", "barriers", "sources", "releases"})
+    (void)model.at(key);
   const Json& origin = model.at("origin_m");
   expect_bytes(origin.is_array() && origin.size() == 3 &&
                    std::ranges::all_of(origin, [](const Json& x) { return x.is_number(); }),

@@ -107,14 +107,6 @@ struct DesignedLines {
   static auto fields() { return std::tuple(field("lines", &DesignedLines::lines)); }
 };
 
-template <class Part>
-Part part_of(const SharedJson& json, const char* key) {
-  Part part;
-  const JsonPlace whole;
-  read_json(*json, JsonPlace(whole, key), part);
-  return part;
-}
-
 /// The settings of barriers and collectors by name.
 class GivenByName {
  public:
@@ -136,15 +128,6 @@ class GivenByName {
  private:
   std::unordered_map<std::string_view, const GivenBarrier*> barriers_, collectors_;
 };
-
-std::vector<SourceStretch> source_stretches(const RunSummary& summary) {
-  std::vector<SourceStretch> stretches;
-  for (const SourceRocks& source : summary.sources) {
-    for (const auto& [first, rocks] : source.rocks) stretches.push_back({first, rocks, source.name});
-  }
-  std::ranges::sort(stretches, {}, &SourceStretch::first_rock);
-  return stretches;
-}
 
 /// The figures of a section, in the order of RunFacts::design_figures.
 std::vector<std::optional<double>> figures_of(const SectionFigures& section, const GivenDesign& design) {
@@ -172,7 +155,7 @@ void add_design(const GivenDesign& design, RunFacts& facts) {
   }
   for (const char* need : {"energy_J", "class", "height_m"})
     facts.design_figures.push_back(fmt::format("needs_{}", need));
-  for (const DesignedLine& line : part_of<DesignedLines>(facts.summary.design, "design").lines) {
+  for (const DesignedLine& line : part_of<DesignedLines>(*facts.summary.design, "design").lines) {
     const auto barrier = std::ranges::find(facts.barriers, line.name, &BarrierFacts::name);
     for (std::size_t k = 0; k < line.sections.size(); ++k) {
       const SectionFigures& figures = line.sections[k];
@@ -193,7 +176,7 @@ void add_design(const GivenDesign& design, RunFacts& facts) {
 /// Derives all other facts from the summary. Throws BadField.
 void complete(RunFacts& facts) {
   const RunSummary& summary = facts.summary;
-  const auto project = part_of<GivenProject>(summary.project, "project");
+  const auto project = part_of<GivenProject>(*summary.project, "project");
   facts.is_section = summary.terrain.kind == "section";
   facts.in_tables = TableRocks(summary.rocks.planned, {.endpoints = project.output.endpoints.most,
                                                        .paths = project.output.paths.most,
@@ -203,7 +186,6 @@ void complete(RunFacts& facts) {
   facts.wants_vtk = project.output.vtk;
   const GivenByName given(project);
   for (BarrierFacts& barrier : facts.barriers) given.add_to(barrier);
-  facts.sources = source_stretches(summary);
   if (summary.design) add_design(project.design.value_or(GivenDesign{}), facts);
 }
 
@@ -211,10 +193,11 @@ void complete(RunFacts& facts) {
 
 const std::string& RunFacts::source_of(std::uint64_t rock) const {
   static const std::string unknown;
-  const auto after = std::ranges::upper_bound(sources, rock, {}, &SourceStretch::first_rock);
-  if (after == sources.begin()) return unknown;
-  const SourceStretch& stretch = *std::prev(after);
-  return rock - stretch.first_rock < stretch.rocks ? stretch.source : unknown;
+  const auto after =
+      std::ranges::upper_bound(summary.releases, rock, {}, [](const SeederReleases& of) { return of.first_rock; });
+  if (after == summary.releases.begin()) return unknown;
+  const SeederReleases& of = *std::prev(after);
+  return rock - of.first_rock < of.rocks ? summary.sources[of.source_of(rock)].name : unknown;
 }
 
 RunFacts read_run_facts(const std::filesystem::path& folder, const char* summary) {

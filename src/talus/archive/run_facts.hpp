@@ -31,12 +31,6 @@ struct DesignSection {
   std::vector<std::optional<double>> figures;  // by RunFacts::design_figures
 };
 
-/// Consecutive rocks of one source.
-struct SourceStretch {
-  std::uint64_t first_rock = 0, rocks = 0;
-  std::string source;
-};
-
 struct RunFacts {
   RunSummary summary;  // without its barriers
   bool is_section = false;
@@ -44,7 +38,6 @@ struct RunFacts {
   std::uint64_t geopackage_rocks = 0;  // number of end points, and of paths, in results.gpkg
   bool wants_geopackage = false, wants_vtk = false;
   std::vector<BarrierFacts> barriers;
-  std::vector<SourceStretch> sources;  // in the order of the rocks
   /// Names of the figures of a section, as columns of the layer `design`: percentiles, and the demands of the check.
   std::vector<std::string> design_figures;
   std::vector<DesignSection> design_sections;  // empty without a design

@@ -58,6 +58,19 @@ std::optional<FieldFault> TerrainSummary::fault() const {
   return FieldFault{"has a section that is not a line", "expected two or more vertices [x, z]"};
 }
 
+std::optional<FieldFault> SeederReleases::fault() const {
+  const bool is_in_order = std::ranges::is_sorted(sources, {}, [](const auto& run) { return run[0]; });
+  if (places > 0 && rocks_at_once > 0 && !sources.empty() && sources.front()[0] == 0 && is_in_order)
+    return std::nullopt;
+  return FieldFault{"is not an order of releases",
+                    "expected places and rocks_at_once above 0, and sources in the order of their places, from 0"};
+}
+
+std::uint64_t SeederReleases::source_of(std::uint64_t rock) const {
+  const auto after = std::ranges::upper_bound(sources, place_of(rock), {}, [](const auto& run) { return run[0]; });
+  return (*std::prev(after))[1];
+}
+
 std::optional<FieldFault> ReportInputs::fault() const {
   if (logo.empty() || logo.starts_with("data:image/png;base64,") || logo.starts_with("data:image/jpeg;base64,"))
     return std::nullopt;
@@ -72,6 +85,27 @@ Statistics BarrierSummary::statistics_of(std::string_view quantity) const {
 void refuse_summary(const std::filesystem::path& file, const BadField& bad) {
   refuse_json_file(file, bad.where, bad.what, bad.why, folder_hint);
 }
+
+namespace {
+
+/// Checks that the seeders share the rocks, one after the other, and that their sources are there.
+void check_releases(const RunSummary& summary) {
+  std::uint64_t next = 0;
+  for (std::size_t k = 0; k < summary.releases.size(); ++k) {
+    const SeederReleases& of = summary.releases[k];
+    if (of.first_rock != next || of.rocks > summary.rocks.planned - next)
+      throw BadField{fmt::format("releases/{}", k), fmt::format("has rocks {} from {}", of.rocks, of.first_rock),
+                     fmt::format("expected rocks from {}, of {}", next, summary.rocks.planned)};
+    next += of.rocks;
+    for (const auto& [place, source] : of.sources) {
+      if (source >= summary.sources.size())
+        throw BadField{fmt::format("releases/{}/sources", k), fmt::format("names source {}", source),
+                       fmt::format("expected a number below {}", summary.sources.size())};
+    }
+  }
+}
+
+}  // namespace
 
 RunSummary read_run_summary(const std::filesystem::path& file, const std::function<void(BarrierSummary)>& take) {
   RunSummary summary;
@@ -89,6 +123,7 @@ RunSummary read_run_summary(const std::filesystem::path& file, const std::functi
       }
     });
     read_json(json, whole, summary);
+    check_releases(summary);
   } catch (const BadField& bad) {
     refuse_summary(file, bad);
   }

@@ -14,6 +14,7 @@
 
 #include "talus/archive/json_fields.hpp"
 #include "talus/barriers/barrier.hpp"
+#include "talus/seeding/release_order.hpp"
 
 namespace talus {
 
@@ -136,12 +137,34 @@ struct TerrainSummary {
   [[nodiscard]] std::optional<FieldFault> fault() const;
 };
 
-/// The rocks of a source: first rock and number of each unbroken range.
+/// The rocks of a source.
 struct SourceRocks {
   std::string name{};
-  std::vector<std::array<std::uint64_t, 2>> rocks{};
+  std::uint64_t rocks = 0;
 
   static auto fields() { return std::tuple(field("name", &SourceRocks::name), field("rocks", &SourceRocks::rocks)); }
+};
+
+/// The places of a seeder, and the order in which they release rocks: tells the source of any rock.
+struct SeederReleases : ReleaseOrder {
+  std::vector<std::array<std::uint64_t, 2>> sources{};  // the first place of consecutive ones, and their source
+
+  static auto fields() {
+    using R = SeederReleases;
+    using N = std::uint64_t;
+    return std::tuple(field<R, N>("first_rock", &R::first_rock), field<R, N>("rocks", &R::rocks),
+                      field<R, N>("rocks_at_once", &R::rocks_at_once), field<R, N>("places", &R::places),
+                      field<R, N>("step", &R::step), field<R, N>("start", &R::start), field("sources", &R::sources));
+  }
+  [[nodiscard]] std::optional<FieldFault> fault() const;
+  /// The number of the source of a rock.
+  [[nodiscard]] std::uint64_t source_of(std::uint64_t rock) const;
+  /// Calls visit(source, begin, end) for the places `begin` to `end` - 1 of one source.
+  template <class Visit>
+  void for_sources(Visit&& visit) const {
+    for (std::size_t k = 0; k < sources.size(); ++k)
+      visit(sources[k][1], sources[k][0], k + 1 < sources.size() ? sources[k + 1][0] : places);
+  }
 };
 
 /// An input file of a run.
@@ -259,6 +282,8 @@ struct RunSummary : RunIdentity {
   std::vector<BarrierSummary> barriers{};     // and collectors
   SharedJson design{};                        // design_json.hpp; null without a design
   std::vector<SourceRocks> sources{};
+  std::vector<SeederReleases> releases{};         // in the order of the rocks
+  std::optional<std::uint64_t> parameter_sets{};  // different ones of the ensembles, if there are ensembles
   std::vector<std::string> warnings{}, notes{};
   double energy_datum_m = 0;         // z in user coordinates at which potential energy is zero
   std::array<double, 3> origin_m{};  // origin for the quantiles of positions
@@ -268,17 +293,17 @@ struct RunSummary : RunIdentity {
 
   static auto fields() {
     using S = RunSummary;
-    return std::tuple(field("talus", &S::talus), field("name", &S::name), field("fingerprint", &S::fingerprint),
-                      field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
-                      field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
-                      field("end_reasons", &S::end_reasons), field("events", &S::events),
-                      field_if_any("ways", &S::ways), field("statistics", &S::statistics),
-                      field("histograms", &S::histograms), field_if_any("trajectories", &S::trajectories),
-                      field("barriers", &S::barriers), field_if_any("design", &S::design),
-                      field("sources", &S::sources), field("warnings", &S::warnings), field("notes", &S::notes),
-                      field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m),
-                      field("terrain", &S::terrain), field("project", &S::project), field_if_any("inputs", &S::inputs),
-                      field("timings", &S::timings));
+    return std::tuple(
+        field("talus", &S::talus), field("name", &S::name), field("fingerprint", &S::fingerprint),
+        field("seed", &S::seed), field("rocks", &S::rocks), field_if_any("shard", &S::shard),
+        field("interrupted", &S::interrupted), field_if_any("missing_rocks", &S::missing_rocks),
+        field("end_reasons", &S::end_reasons), field("events", &S::events), field_if_any("ways", &S::ways),
+        field("statistics", &S::statistics), field("histograms", &S::histograms),
+        field_if_any("trajectories", &S::trajectories), field("barriers", &S::barriers),
+        field_if_any("design", &S::design), field("sources", &S::sources), field_if_any("releases", &S::releases),
+        field_if_any("parameter_sets", &S::parameter_sets), field("warnings", &S::warnings), field("notes", &S::notes),
+        field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m), field("terrain", &S::terrain),
+        field("project", &S::project), field_if_any("inputs", &S::inputs), field("timings", &S::timings));
   }
 };
 

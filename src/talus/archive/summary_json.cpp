@@ -19,15 +19,6 @@ std::optional<HistogramCounts> histogram_of(const Tally& tally) {
                          {histogram->counts().begin(), histogram->counts().end()}};
 }
 
-/// A part of the description as a declared struct.
-template <class Part>
-Part part_of(const Json& json, const char* key) {
-  Part part;
-  const JsonPlace whole;
-  read_json(json, JsonPlace(whole, key), part);
-  return part;
-}
-
 /// A barrier of the model with its results.
 BarrierSummary barrier_summary(BarrierPlace place, const BarrierTally& tally) {
   const auto count = [&](BarrierOutcome outcome) { return tally.outcomes[static_cast<std::size_t>(outcome)]; };
@@ -121,6 +112,9 @@ RunSummary run_summary(const RunDescription& description, const Summary& sums, c
   summary.histograms = {{"end_x_m", histogram_of(sums.end_x)}, {"runout_xy_m", histogram_of(sums.runout_plan)}};
   summary.trajectories = course.trajectories;
   summary.sources = part_of<std::vector<SourceRocks>>(model.at("sources"), "sources");
+  summary.releases = part_of<std::vector<SeederReleases>>(model.at("releases"), "releases");
+  if (model.contains("parameter_sets"))
+    summary.parameter_sets = part_of<std::uint64_t>(model.at("parameter_sets"), "parameter_sets");
   summary.notes = notes_of(sums);
   summary.energy_datum_m = part_of<double>(model.at("energy_datum_m"), "energy_datum_m");
   summary.origin_m = part_of<std::array<double, 3>>(model.at("origin_m"), "origin_m");

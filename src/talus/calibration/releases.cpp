@@ -99,12 +99,13 @@ class ReleaseMatch {
   void find_names() {
     for (const Seeder& seeder : site_.model().seeders) {
       std::map<std::string, Rocks> of_seeder;
-      for (std::uint64_t k = 0; k < seeder.rocks; ++k) {
-        of_seeder[seeder.name].push_back(seeder.first_rock + k);
+      const ReleaseOrder order = release_order(seeder, site_.model().seed);
+      for (std::uint64_t rock = seeder.first_rock; rock < seeder.first_rock + seeder.rocks; ++rock) {
+        of_seeder[seeder.name].push_back(rock);
         const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
         if (table == nullptr || table->names.empty()) continue;
-        const std::string& name = table->names[table->number(table->row_of(k, seeder.rocks)) - 1];
-        if (!name.empty() && name != seeder.name) of_seeder[name].push_back(seeder.first_rock + k);
+        const std::string& name = table->names[table->number(table->row_at(order.place_of(rock))) - 1];
+        if (!name.empty() && name != seeder.name) of_seeder[name].push_back(rock);
       }
       for (auto& [name, rocks] : of_seeder) {
         if (releases_.contains(name)) {

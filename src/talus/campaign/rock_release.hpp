@@ -16,7 +16,8 @@ namespace talus {
 template <class Surface>
 Release release_of(const Model& model, const Surface& surface, const Draws& draws, const Seeder& seeder,
                    RockRecord& record) {
-  const ReleasePlace start = place_of(seeder, draws);
+  const ReleasePlace start =
+      place_of(seeder, {model.seed, model.sampling, seeder.first_rock, seeder.rocks}, draws.rock());
   record.seeder = SeederId{static_cast<std::uint32_t>(&seeder - model.seeders.data())};
   record.source = start.source;
   Vec3 place = start.point;

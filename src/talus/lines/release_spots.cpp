@@ -4,8 +4,6 @@
 #include <iterator>
 #include <variant>
 
-#include "talus/seeding/even_share.hpp"
-
 namespace talus {
 
 namespace {
@@ -14,38 +12,37 @@ class Spots {
  public:
   Spots(const Model& model, std::vector<ReleaseSpot>& spots) : model_(model), spots_(spots) {}
 
-  void add(const Seeder& seeder, SeederId number) {
-    seeder_ = &seeder;
+  void add(const Seeder& seeder, SeederId number, const ReleaseOrder& order) {
     number_ = number;
+    order_ = order;
     if (const auto* cells = std::get_if<ReleaseCells>(&*seeder.where)) {
-      for_entries(cells->cells.size(), [&](std::size_t entry, std::uint64_t first, std::uint64_t rocks) {
-        const Vec2 middle = cells->centre_of(entry);
-        add(first, rocks, cells->source_of(entry), on_ground({middle.x(), middle.y(), 0}), {cells->dx, cells->dy});
-      });
+      for (std::uint64_t place = 0; place < order.places; ++place) {
+        const Vec2 middle = cells->centre_of(place);
+        add(place, place + 1, cells->source_of(place),
+            [&] {
+              return on_ground({middle.x(), middle.y(), 0});
+            },
+            {cells->dx, cells->dy});
+      }
     } else if (const auto* table = std::get_if<ReleaseTable>(&*seeder.where)) {
-      for_entries(table->count(), [&](std::size_t row, std::uint64_t first, std::uint64_t rocks) {
+      for (std::uint64_t entry = 0; entry < order.places; ++entry) {
+        const std::size_t row = table->row_at(entry);
         const bool is_above_surface = ReleaseRow::has(table->given(row).above_surface);
         const Vec3& place = table->place(row);
-        add(first, rocks, table->source_of(row), is_above_surface ? on_ground(place) : place);
-      });
+        add(entry, entry + 1, table->source_of(row), [&] { return is_above_surface ? on_ground(place) : place; });
+      }
     } else {
       const auto* lines = std::get_if<ReleaseLines>(&*seeder.where);
-      for (const SourceRun& run : source_runs(seeder, model_.seed, model_.sampling)) {
-        const Vec3 place = lines ? middle_of(*lines, run.source) : std::get<Vec3>(*seeder.where);
-        add(run.first_rock - seeder.first_rock, run.rocks, run.source, seeder.above_surface ? on_ground(place) : place);
+      const std::vector<SourceRun> runs = source_runs(seeder, model_.seed);
+      for (std::size_t k = 0; k < runs.size(); ++k) {
+        const std::uint64_t end = k + 1 < runs.size() ? runs[k + 1].first_place : order.places;
+        const Vec3 place = lines ? middle_of(*lines, runs[k].source) : std::get<Vec3>(*seeder.where);
+        add(runs[k].first_place, end, runs[k].source, [&] { return seeder.above_surface ? on_ground(place) : place; });
       }
     }
   }
 
  private:
-  template <class Visit>
-  void for_entries(std::size_t entries, Visit&& visit) const {
-    for (std::size_t entry = 0; entry < entries; ++entry) {
-      const std::uint64_t first = first_at_share(entry, seeder_->rocks, entries);
-      const std::uint64_t after = first_at_share(entry + 1, seeder_->rocks, entries);
-      if (after > first) visit(entry, first, after - first);
-    }
-  }
   /// The middle of the line of a source, or of the first of several.
   static Vec3 middle_of(const ReleaseLines& lines, SourceId source) {
     for (std::size_t line = 0; line < lines.count(); ++line) {
@@ -59,16 +56,17 @@ class Spots {
     if (z) place.z() = *z;
     return place;
   }
-  /// `first`: of the seeder's rocks.
-  void add(std::uint64_t first, std::uint64_t rocks, SourceId source, const Vec3& place,
-           const Vec2& size = Vec2::Zero()) {
-    spots_.push_back({seeder_->first_rock + first, rocks, number_, source, place, size});
+  /// A spot with the places `begin` to `end` - 1, if any rock starts there.
+  template <class Middle>
+  void add(std::uint64_t begin, std::uint64_t end, SourceId source, Middle&& middle, const Vec2& size = Vec2::Zero()) {
+    const std::uint64_t rocks = order_.rocks_from(begin, end, order_.rocks);
+    if (rocks > 0) spots_.push_back({rocks, number_, begin, source, middle(), size});
   }
 
   const Model& model_;
   std::vector<ReleaseSpot>& spots_;
-  const Seeder* seeder_ = nullptr;
   SeederId number_;
+  ReleaseOrder order_;
 };
 
 }  // namespace
@@ -76,13 +74,20 @@ class Spots {
 ReleaseSpots::ReleaseSpots(const Model& model) {
   Spots spots(model, spots_);
   for (std::uint32_t k = 0; k < model.seeders.size(); ++k) {
-    if (model.seeders[k].rocks > 0) spots.add(model.seeders[k], SeederId{k});
+    const ReleaseOrder order = release_order(model.seeders[k], model.seed);
+    const std::size_t first = spots_.size();
+    spots.add(model.seeders[k], SeederId{k}, order);
+    seeders_.push_back({order, first, spots_.size()});
   }
 }
 
 std::size_t ReleaseSpots::of_rock(std::uint64_t rock) const {
-  const auto after = std::ranges::upper_bound(spots_, rock, {}, &ReleaseSpot::first_rock);
-  return static_cast<std::size_t>(std::prev(after) - spots_.begin());
+  const auto after =
+      std::ranges::upper_bound(seeders_, rock, {}, [](const OfSeeder& of) { return of.order.first_rock; });
+  const OfSeeder& of = *std::prev(after);
+  const auto spots = std::span(spots_).subspan(of.first, of.last - of.first);
+  const auto next = std::ranges::upper_bound(spots, of.order.place_of(rock), {}, &ReleaseSpot::first_place);
+  return of.first + static_cast<std::size_t>(std::prev(next) - spots.begin());
 }
 
 StoredSources::StoredSources(const Model& model, std::span<const std::uint64_t> rocks)

@@ -33,6 +33,8 @@ class SeederBuilder {
     seeder.name = s.name;
     seeder.first_rock = model_.rocks();
     seeder.rocks = static_cast<std::uint64_t>(s.rocks);
+    if (!project_.sampling.parameters.empty())
+      seeder.rocks_at_once = static_cast<std::uint64_t>(project_.sampling.ensembles);
     if (s.z_is_surface || s.height_above_m) seeder.above_surface = s.height_above_m.value_or(0);
     set_size_and_speed(s, seeder);
     bool is_placed = false;
@@ -54,7 +56,9 @@ class SeederBuilder {
     if (off_terrain_ > most_reported) {
       report(s, fmt::format("{} more places are off the terrain", off_terrain_ - most_reported), "", "");
     }
-    if (is_placed && seeder.rocks > 0) model_.seeders.push_back(std::move(seeder));
+    if (!is_placed || seeder.rocks == 0) return;
+    seeder.step = even_step(count_places(seeder));
+    model_.seeders.push_back(std::move(seeder));
   }
 
   static void set_size_and_speed(const Seeder& s, talus::Seeder& seeder);

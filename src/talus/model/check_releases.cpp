@@ -27,13 +27,13 @@ std::string name_of_row(const ReleaseTable& table, std::size_t row) {
   return is_named ? fmt::format("\"{}\"", table.names[number - 1]) : fmt::format("{}", number);
 }
 
-/// The rows from which rocks of a seeder start, `rows 3, 7 and 2 more`; empty if it has no table. `rocks`: in their
-/// order.
-std::string rows_of(const talus::Seeder& seeder, std::span<const std::uint64_t> rocks) {
+/// The rows from which rocks of a seeder start, `rows 3, 7 and 2 more`; empty if it has no table.
+std::string rows_of(const talus::Seeder& seeder, std::uint64_t seed, std::span<const std::uint64_t> rocks) {
   const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
   if (table == nullptr) return "";
   std::vector<std::size_t> rows;
-  for (const std::uint64_t rock : rocks) rows.push_back(table->row_of(rock - seeder.first_rock, seeder.rocks));
+  for (const std::uint64_t rock : rocks) rows.push_back(table->row_at(release_order(seeder, seed).place_of(rock)));
+  std::ranges::sort(rows);
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   std::vector<std::string> names;
   for (std::size_t k = 0; k < std::min(rows.size(), most_rows_named); ++k)
@@ -62,7 +62,7 @@ void warn_of_high_releases(const Model& model, Problems& warnings) {
   const ReleaseSurvey survey = survey_releases(model, sample);
   if (survey.highest_m <= highest_release_m) return;
   const talus::Seeder& seeder = seeder_of(model, survey.highest);
-  const std::string row = rows_of(seeder, std::span(&survey.highest, 1));
+  const std::string row = rows_of(seeder, model.seed, std::span(&survey.highest, 1));
   warnings.add({.severity = Severity::warning,
                 .where = named(seeder),
                 .what = fmt::format("a rock{} starts {:.4g} m above the ground", row.empty() ? "" : " of " + row,
@@ -84,7 +84,7 @@ void warn_of_buried_releases(const Model& model, Problems& warnings) {
     first = end;
     if (++seeders > most_seeders_named) continue;
     const auto number = static_cast<std::size_t>(&seeder - model.seeders.data());
-    const std::string rows = rows_of(seeder, rocks);
+    const std::string rows = rows_of(seeder, model.seed, rocks);
     warnings.add({.severity = Severity::warning,
                   .where = named(seeder),
                   .what = fmt::format("{} of {}{} rocks start{} in the ground{}", rocks.size(),

@@ -11,6 +11,7 @@
 #include "talus/import/class_raster.hpp"
 #include "talus/import/vector_file.hpp"
 #include "talus/model/cell_heights.hpp"
+#include "talus/seeding/hilbert_curve.hpp"
 #include "talus/terrain/slope.hpp"
 
 namespace talus::project {
@@ -277,10 +278,20 @@ class Chooser {
   }
 
   ReleaseCells sorted_cells() {
-    const auto is_before = [](const Candidate& a, const Candidate& b) {
-      return a.source != b.source ? a.source < b.source : a.cell < b.cell;
+    struct Placed {
+      std::uint64_t along;
+      std::uint32_t cell;
+      SourceId source;
     };
-    if (!std::is_sorted(kept_.begin(), kept_.end(), is_before)) std::sort(kept_.begin(), kept_.end(), is_before);
+    std::vector<Placed> placed;
+    placed.reserve(kept_.size());
+    for (const Candidate& kept : kept_) {
+      placed.push_back(
+          {along_hilbert_curve(kept.cell % grid_.columns, kept.cell / grid_.columns), kept.cell, kept.source});
+    }
+    std::ranges::sort(placed, [](const Placed& a, const Placed& b) {
+      return a.source != b.source ? a.source < b.source : a.along < b.along;
+    });
     ReleaseCells cells;
     const Vec2 corner = grid_.first - Vec2(0.5 * grid_.dx, 0.5 * grid_.dy);
     cells.corner = corner - Vec2(context_.model.frame.origin.head(2));
@@ -289,7 +300,7 @@ class Chooser {
     cells.columns = grid_.columns;
     cells.place = seeder_.place;
     cells.cells.reserve(kept_.size());
-    for (const Candidate& kept : kept_) {
+    for (const Placed& kept : placed) {
       if (cells.sources.empty() || cells.sources.back().source != kept.source) {
         cells.sources.push_back({static_cast<std::uint32_t>(cells.cells.size()), kept.source});
       }

@@ -285,6 +285,7 @@ class TableFile {
           Problem{.file = path_.string(), .where = {}, .what = "has no rows", .why = "a row is a release", .hint = {}});
     }
     sort_by_source(read_);
+    read_.table.order_by_place();
     return std::move(read_);
   }
 

@@ -9,6 +9,7 @@
 
 #include "talus/archive/design_json.hpp"
 #include "talus/archive/doubts.hpp"
+#include "talus/archive/run_summary.hpp"
 #include "talus/archive/summary_json.hpp"
 
 namespace talus::project {
@@ -61,25 +62,29 @@ void warn_of_rocks(const Summary& summary, Problems& warnings) {
 }
 
 void warn_of_sources(const RunDescription& description, std::uint64_t first_not_run, Problems& warnings) {
-  std::vector<std::string> none, some;
-  for (const auto& source : description.model.at("sources")) {
-    std::uint64_t rocks = 0, released = 0;
-    for (const auto& row : source.at("rocks")) {
-      const auto first = row.at(0).get<std::uint64_t>(), count = row.at(1).get<std::uint64_t>();
-      rocks += count;
-      released += std::min(count, first_not_run - std::min(first, first_not_run));
-    }
-    if (released < rocks)
-      (released == 0 ? none : some).push_back(fmt::format("\"{}\"", source.at("name").get<std::string>()));
+  const auto releases = part_of<std::vector<SeederReleases>>(description.model.at("releases"), "releases");
+  const auto sources = part_of<std::vector<SourceRocks>>(description.model.at("sources"), "sources");
+  std::vector<std::uint64_t> released(sources.size());
+  for (const SeederReleases& of : releases) {
+    const std::uint64_t done = std::min(of.rocks, first_not_run - std::min(of.first_rock, first_not_run));
+    of.for_sources([&](std::uint64_t source, std::uint64_t begin, std::uint64_t end) {
+      released.at(source) += of.rocks_from(begin, end, done);
+    });
   }
-  if (none.empty() && description.model.at("sources").size() < 2) return;
+  std::vector<std::string> none, some;
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    if (released[k] < sources[k].rocks)
+      (released[k] == 0 ? none : some).push_back(fmt::format("\"{}\"", sources[k].name));
+  }
+  // The first rocks of one seeder are spread over all of its places.
+  if (none.empty() && releases.size() < 2) return;
   constexpr std::size_t most = 5;
   const auto list = [&](std::vector<std::string> names) {
     const std::size_t more = names.size() - std::min(names.size(), most);
     names.resize(names.size() - more);
     return fmt::format("{}{}", fmt::join(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
   };
-  std::string why = "rocks are run source after source";
+  std::string why = releases.size() < 2 ? "few rocks were run" : "rocks are run seeder after seeder";
   if (!some.empty()) why += fmt::format("; of {} not all were", list(some));
   warnings.add({.severity = Severity::warning,
                 .where = "rocks",

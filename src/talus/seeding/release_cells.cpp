@@ -2,13 +2,7 @@
 
 #include <algorithm>
 
-#include "talus/seeding/even_share.hpp"
-
 namespace talus {
-
-std::size_t ReleaseCells::entry_of(std::uint64_t k, std::uint64_t n) const {
-  return place_of_share(k, n, cells.size());
-}
 
 SourceId ReleaseCells::source_of(std::size_t entry) const {
   const auto after = std::upper_bound(sources.begin(), sources.end(), entry,

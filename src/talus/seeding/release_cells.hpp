@@ -12,8 +12,6 @@ namespace talus {
 
 enum class PlaceInCell { random, centre };
 
-/// Rocks are distributed evenly: rock k of n is released from entry floor(k c / n) of the c cells, so that each cell
-/// has floor(n / c) rocks or one more, for any seed.
 struct ReleaseCells {
   /// The first cell of a source.
   struct Run {
@@ -24,13 +22,11 @@ struct ReleaseCells {
   Vec2 corner = Vec2::Zero();  // south-west, of cell 0; local [m]
   double dx = 1, dy = 1;       // of a cell [m]
   std::uint32_t columns = 1;   // of the grid
-  /// Numbers of cells, row by row from the south-west; in ascending order and unique within a source.
+  /// Numbers of cells, row by row from the south-west; unique, and along Hilbert's curve, within a source.
   std::vector<std::uint32_t> cells;
   std::vector<Run> sources;  // in ascending order; the first begins at 0
   PlaceInCell place = PlaceInCell::random;
 
-  /// The entry of `cells` from which rock k of n is released.
-  [[nodiscard]] std::size_t entry_of(std::uint64_t k, std::uint64_t n) const;
   [[nodiscard]] SourceId source_of(std::size_t entry) const;
   /// The middle of a cell; the place in a cell for two uniform numbers.
   [[nodiscard]] Vec2 centre_of(std::size_t entry) const { return at(entry, {0.5, 0.5}); }

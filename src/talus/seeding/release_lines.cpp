@@ -29,17 +29,29 @@ ReleaseLines::Place ReleaseLines::at(double u) const {
   return {point, std::prev(line)->source};
 }
 
-std::size_t ReleaseLines::line_at(double part) const {
-  const double way = part * length();
+std::size_t ReleaseLines::line_of(std::uint64_t part, std::uint64_t parts, double v) const {
+  const double way = (static_cast<double>(part) + v) / static_cast<double>(parts) * length();
   const auto next = std::upper_bound(lines_.begin() + 1, lines_.end(), way,
                                      [&](double w, const Line& line) { return w < way_[line.first]; });
   return static_cast<std::size_t>(next - lines_.begin()) - 1;
 }
 
 ReleaseLines::Place ReleaseLines::at(std::size_t line, double u) const {
-  const double begin = way_[lines_[line].first];
-  const double end = line + 1 < lines_.size() ? way_[lines_[line + 1].first] : length();
+  const auto [begin, end] = stretch_of(line);
   return {at((begin + u * (end - begin)) / length()).point, lines_[line].source};
+}
+
+ReleaseLines::Place ReleaseLines::in_part(std::uint64_t part, std::uint64_t parts, double v, double u) const {
+  const std::size_t line = line_of(part, parts, v);
+  const auto [first, last] = stretch_of(line);
+  const double share = length() / static_cast<double>(parts);
+  const double begin = std::max(first, static_cast<double>(part) * share);
+  const double end = std::min(last, static_cast<double>(part + 1) * share);
+  return {at((begin + u * std::max(end - begin, 0.0)) / length()).point, lines_[line].source};
+}
+
+std::array<double, 2> ReleaseLines::stretch_of(std::size_t line) const {
+  return {way_[lines_[line].first], line + 1 < lines_.size() ? way_[lines_[line + 1].first] : length()};
 }
 
 }  // namespace talus

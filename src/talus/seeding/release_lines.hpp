@@ -1,8 +1,9 @@
 #pragma once
-// Lines along which rocks are released, with equal probability per metre. Each of several lines has its share of the
-// rocks, in order, so that the line of each rock is known in advance.
+// Lines along which rocks are released, with equal probability per metre.
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,12 @@ class ReleaseLines {
   [[nodiscard]] Place at(double u) const;
   /// The place on one line.
   [[nodiscard]] Place at(std::size_t line, double u) const;
-  /// The line at this share, in (0, 1), of the length of all lines one after the other. Increases with it.
-  [[nodiscard]] std::size_t line_at(double part) const;
+  /// All lines, one after the other, are divided into equal parts, one for each turn of releases. The line of a part is
+  /// that at its share v: parts that contain several lines choose among them by length, and the line of a part is known
+  /// before any rock is. Increases with the part.
+  [[nodiscard]] std::size_t line_of(std::uint64_t part, std::uint64_t parts, double v) const;
+  /// The place for the uniform number u on the stretch of its line that is in the part.
+  [[nodiscard]] Place in_part(std::uint64_t part, std::uint64_t parts, double v, double u) const;
   [[nodiscard]] std::size_t count() const { return lines_.size(); }
   [[nodiscard]] SourceId source_of(std::size_t line) const { return lines_[line].source; }
   [[nodiscard]] std::span<const Vec3> points_of(std::size_t line) const {
@@ -40,6 +45,9 @@ class ReleaseLines {
   [[nodiscard]] std::size_t bytes() const { return points_.size() * (sizeof(Vec3) + sizeof(double)); }
 
  private:
+  /// Where it begins and ends along all lines [m].
+  [[nodiscard]] std::array<double, 2> stretch_of(std::size_t line) const;
+
   struct Line {
     std::size_t first;  // of its points
     SourceId source;

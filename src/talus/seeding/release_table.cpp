@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <numeric>
+#include <span>
 
-#include "talus/seeding/even_share.hpp"
+#include "talus/seeding/hilbert_curve.hpp"
 
 namespace talus {
 
@@ -50,10 +52,32 @@ SourceId ReleaseTable::source_of(std::size_t row) const {
   return std::prev(after)->source;
 }
 
-std::size_t ReleaseTable::row_of(std::uint64_t k, std::uint64_t n) const { return place_of_share(k, n, count()); }
+void ReleaseTable::order_by_place() {
+  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Vec3& place : places_) {
+    low = low.cwiseMin(place.head<2>());
+    high = high.cwiseMax(place.head<2>());
+  }
+  const double side = places_.empty() ? 0 : (high - low).maxCoeff();
+  const auto grid_place = [&](double away) {
+    constexpr double cells = 4294967295.0;  // of the curve, along a side
+    return static_cast<std::uint32_t>(side > 0 ? std::min(away / side, 1.0) * cells : 0.0);
+  };
+  std::vector<std::uint64_t> along;
+  along.reserve(count());
+  for (const Vec3& place : places_)
+    along.push_back(along_hilbert_curve(grid_place(place.x() - low.x()), grid_place(place.y() - low.y())));
+  by_place_.resize(count());
+  std::iota(by_place_.begin(), by_place_.end(), 0U);
+  for (std::size_t k = 0; k < sources_.size(); ++k) {
+    const std::size_t end = k + 1 < sources_.size() ? sources_[k + 1].first : count();
+    std::ranges::stable_sort(std::span(by_place_).subspan(sources_[k].first, end - sources_[k].first), {},
+                             [&](std::uint32_t row) { return along[row]; });
+  }
+}
 
 std::size_t ReleaseTable::bytes() const {
-  std::size_t bytes = numbers_.size() * sizeof(std::uint32_t) + sources_.size() * sizeof(Run);
+  std::size_t bytes = (numbers_.size() + by_place_.size()) * sizeof(std::uint32_t) + sources_.size() * sizeof(Run);
   visit_columns([&](const auto& column) { bytes += column.size() * sizeof(column[0]); });
   for (const std::string& name : names) bytes += sizeof(std::string) + name.capacity();
   return bytes;

@@ -29,8 +29,7 @@ struct ReleaseRow {
   Vec3 direction = Vec3::Constant(none);      // unit
 };
 
-/// The rows, with a column for everything that at least one of them gives. Rocks are distributed evenly: rock k of n is
-/// released from row floor(k r / n) of r rows.
+/// The rows, with a column for everything that at least one of them gives.
 class ReleaseTable {
  public:
   /// The first row of a source.
@@ -49,8 +48,10 @@ class ReleaseTable {
   [[nodiscard]] std::uint32_t number(std::size_t row) const { return numbers_[row]; }
   [[nodiscard]] const std::vector<Run>& sources() const { return sources_; }
   [[nodiscard]] SourceId source_of(std::size_t row) const;
-  /// The row from which rock k of n is released.
-  [[nodiscard]] std::size_t row_of(std::uint64_t k, std::uint64_t n) const;
+  /// Orders the rows of each source along Hilbert's curve. Expects all rows.
+  void order_by_place();
+  /// The row at a place of that order.
+  [[nodiscard]] std::size_t row_at(std::size_t place) const { return by_place_[place]; }
 
   /// Names of rows, by their numbers in the file; empty if the table has none.
   std::vector<std::string> names;
@@ -67,7 +68,7 @@ class ReleaseTable {
 
  private:
   std::vector<Vec3> places_;
-  std::vector<std::uint32_t> numbers_;
+  std::vector<std::uint32_t> numbers_, by_place_;
   std::vector<Run> sources_;
   // In the order of the members of ReleaseRow; empty if no row gives any.
   std::array<std::vector<double>, 8> numbers_given_;

@@ -1,23 +1,24 @@
 #include "talus/seeding/seeder.hpp"
 
-#include <algorithm>
+#include <array>
 
 namespace talus {
 
 namespace {
 
-/// The lines are divided into as many equal parts as there are rocks, one rock per part, in order: the line's number
-/// never decreases with the rock's.
-std::size_t line_of(const Seeder& seeder, const ReleaseLines& lines, const Draws& draws) {
-  const double number = static_cast<double>(draws.rock() - seeder.first_rock);
-  return lines.line_at((number + draws.pair(Stream::release_position)[1]) / static_cast<double>(seeder.rocks));
+/// A purpose of its own (core/random.hpp); the numbers of rocks are those of seeders' first rocks.
+constexpr auto order_stream = static_cast<Stream>(100);
+
+/// Two uniform numbers of all rocks of a seeder: for the first place, and for the lines of parts that contain several.
+std::array<double, 2> draws_of_seeder(const Seeder& seeder, std::uint64_t seed) {
+  return uniform_pair(seed, seeder.first_rock, order_stream, 0);
 }
 
-/// The first of a seeder's rocks, zero-based, for which is_there(rock) is true, as it is for all after it; the number
-/// of rocks if there is none.
+/// The first of so many places for which is_there(place) is true, as it is for all after it; their number if there is
+/// none.
 template <class IsThere>
-std::uint64_t first_rock_where(const Seeder& seeder, IsThere&& is_there) {
-  std::uint64_t first = 0, last = seeder.rocks;
+std::uint64_t first_place_where(std::uint64_t places, IsThere&& is_there) {
+  std::uint64_t first = 0, last = places;
   while (first < last) {
     const std::uint64_t middle = first + (last - first) / 2;
     if (is_there(middle)) {
@@ -31,62 +32,71 @@ std::uint64_t first_rock_where(const Seeder& seeder, IsThere&& is_there) {
 
 }  // namespace
 
-std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, SamplingMethod method) {
+std::uint64_t count_places(const Seeder& seeder) {
+  if (const auto* cells = std::get_if<ReleaseCells>(&*seeder.where)) return cells->cells.size();
+  if (const auto* table = std::get_if<ReleaseTable>(&*seeder.where)) return table->count();
+  if (std::holds_alternative<ReleaseLines>(*seeder.where))
+    return ReleaseOrder{.rocks = seeder.rocks, .rocks_at_once = seeder.rocks_at_once}.turns();
+  return 1;
+}
+
+ReleaseOrder release_order(const Seeder& seeder, std::uint64_t seed) {
+  ReleaseOrder order{.first_rock = seeder.first_rock,
+                     .rocks = seeder.rocks,
+                     .rocks_at_once = seeder.rocks_at_once,
+                     .places = count_places(seeder),
+                     .step = seeder.step};
+  order.start = static_cast<std::uint64_t>(draws_of_seeder(seeder, seed)[0] * static_cast<double>(order.places));
+  return order;
+}
+
+std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed) {
   std::vector<SourceRun> runs;
-  const auto begins = [&](std::uint64_t first, SourceId source) {
-    if (!runs.empty()) runs.back().rocks = first - (runs.back().first_rock - seeder.first_rock);
-    if (!runs.empty() && runs.back().rocks == 0) runs.pop_back();
-    if (runs.empty() || runs.back().source != source) runs.push_back({seeder.first_rock + first, 0, source});
-  };
-  if (const auto* lines = std::get_if<ReleaseLines>(&*seeder.where); lines != nullptr && lines->count() > 1) {
-    const SamplingPlan plan{seed, method, seeder.first_rock, seeder.rocks};
+  if (const auto* lines = std::get_if<ReleaseLines>(&*seeder.where)) {
+    const std::uint64_t parts = count_places(seeder);
+    const double v = draws_of_seeder(seeder, seed)[1];
     for (std::size_t line = 0; line < lines->count(); ++line) {
-      begins(first_rock_where(
-                 seeder,
-                 [&](std::uint64_t k) { return line_of(seeder, *lines, Draws(plan, seeder.first_rock + k)) >= line; }),
-             lines->source_of(line));
+      const std::uint64_t first =
+          first_place_where(parts, [&](std::uint64_t part) { return lines->line_of(part, parts, v) >= line; });
+      if (first == parts) break;
+      if (!runs.empty() && runs.back().first_place == first) runs.pop_back();  // of a line without a part
+      if (runs.empty() || runs.back().source != lines->source_of(line)) runs.push_back({first, lines->source_of(line)});
     }
   } else if (const auto* cells = std::get_if<ReleaseCells>(&*seeder.where)) {
-    for (const ReleaseCells::Run& run : cells->sources) {
-      begins(first_rock_where(seeder, [&](std::uint64_t k) { return cells->entry_of(k, seeder.rocks) >= run.first; }),
-             run.source);
-    }
+    for (const ReleaseCells::Run& run : cells->sources) runs.push_back({run.first, run.source});
   } else if (const auto* table = std::get_if<ReleaseTable>(&*seeder.where)) {
-    for (const ReleaseTable::Run& run : table->sources()) {
-      begins(first_rock_where(seeder, [&](std::uint64_t k) { return table->row_of(k, seeder.rocks) >= run.first; }),
-             run.source);
-    }
+    for (const ReleaseTable::Run& run : table->sources()) runs.push_back({run.first, run.source});
   } else {
-    begins(0, lines != nullptr ? lines->source_of(0) : seeder.source);
+    runs.push_back({0, seeder.source});
   }
-  if (!runs.empty()) runs.back().rocks = seeder.rocks - (runs.back().first_rock - seeder.first_rock);
-  if (!runs.empty() && runs.back().rocks == 0) runs.pop_back();
   return runs;
 }
 
-ReleasePlace place_of(const Seeder& seeder, const Draws& draws) {
+ReleasePlace place_of(const Seeder& seeder, const SamplingPlan& plan, std::uint64_t rock) {
+  if (const auto* point = std::get_if<Vec3>(&*seeder.where))
+    return {.point = *point, .source = seeder.source, .above_surface = seeder.above_surface};
+  const ReleaseOrder order = release_order(seeder, plan.seed);
+  const std::uint64_t turn = order.turn_of(rock), entry = order.place_of_turn(turn);
+  // Draws of the turn, which are the same for its rocks.
+  const auto u =
+      Draws({plan.seed, plan.method, plan.first, order.turns()}, plan.first + turn).pair(Stream::release_position);
   if (const auto* lines = std::get_if<ReleaseLines>(&*seeder.where)) {
-    const double u = draws.one(Stream::release_position);
-    const ReleaseLines::Place place = lines->count() > 1 ? lines->at(line_of(seeder, *lines, draws), u) : lines->at(u);
+    const ReleaseLines::Place place = lines->in_part(entry, order.places, draws_of_seeder(seeder, plan.seed)[1], u[0]);
     return {.point = place.point, .source = place.source, .above_surface = seeder.above_surface};
   }
   if (const auto* cells = std::get_if<ReleaseCells>(&*seeder.where)) {
-    const std::size_t entry = cells->entry_of(draws.rock() - seeder.first_rock, seeder.rocks);
     const Vec2 middle = cells->centre_of(entry);
-    const Vec2 place =
-        cells->place == PlaceInCell::centre ? middle : cells->at(entry, draws.pair(Stream::release_position));
+    const Vec2 place = cells->place == PlaceInCell::centre ? middle : cells->at(entry, u);
     return {.point = Vec3(place.x(), place.y(), 0),
             .source = cells->source_of(entry),
             .middle = middle,
             .above_surface = seeder.above_surface};
   }
-  if (const auto* table = std::get_if<ReleaseTable>(&*seeder.where)) {
-    const std::size_t row = table->row_of(draws.rock() - seeder.first_rock, seeder.rocks);
-    ReleasePlace place{.point = table->place(row), .source = table->source_of(row), .given = table->given(row)};
-    if (ReleaseRow::has(place.given.above_surface)) place.above_surface = place.given.above_surface;
-    return place;
-  }
-  return {.point = std::get<Vec3>(*seeder.where), .source = seeder.source, .above_surface = seeder.above_surface};
+  const auto& table = std::get<ReleaseTable>(*seeder.where);
+  const std::size_t row = table.row_at(entry);
+  ReleasePlace place{.point = table.place(row), .source = table.source_of(row), .given = table.given(row)};
+  if (ReleaseRow::has(place.given.above_surface)) place.above_surface = place.given.above_surface;
+  return place;
 }
 
 static double drawn(const Sampler& sampler, const Draws& draws, Stream stream) {

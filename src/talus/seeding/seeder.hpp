@@ -14,6 +14,7 @@
 #include "talus/seeding/release.hpp"
 #include "talus/seeding/release_cells.hpp"
 #include "talus/seeding/release_lines.hpp"
+#include "talus/seeding/release_order.hpp"
 #include "talus/seeding/release_table.hpp"
 
 namespace talus {
@@ -27,6 +28,8 @@ struct Seeder {
   SourceId source;  // of rocks from a point, for results by source; lines, cells and rows have their own
   std::uint64_t first_rock = 0;
   std::uint64_t rocks = 1;
+  std::uint64_t rocks_at_once = 1;  // as in ReleaseOrder: the number of ensembles
+  std::uint64_t step = 1;           // as in ReleaseOrder, for the number of places of this seeder
   /// A point, lines, cells or the rows of a table; local coordinates.
   Shared<ReleasePlaces> where = Vec3(0, 0, 0);
   /// Rocks are released this far above the surface [m], not at the places' own z; always given for cells, and not used
@@ -53,16 +56,21 @@ struct ReleasePlace {
   ReleaseRow given;                     // what its row of a table gives
 };
 
-/// Consecutive rocks from one source.
+/// The number of places that take turns: cells, rows, equal parts of all lines, or one point.
+[[nodiscard]] std::uint64_t count_places(const Seeder& seeder);
+[[nodiscard]] ReleaseOrder release_order(const Seeder& seeder, std::uint64_t seed);
+
+/// The first of consecutive places of one source.
 struct SourceRun {
-  std::uint64_t first_rock, rocks;
+  std::uint64_t first_place;
   SourceId source;
 };
 
-/// The sources of all rocks of a seeder, in their order; the same as in ReleasePlace::source.
-[[nodiscard]] std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed, SamplingMethod method);
+/// The sources of all places of a seeder, in their order; the same as in ReleasePlace::source.
+[[nodiscard]] std::vector<SourceRun> source_runs(const Seeder& seeder, std::uint64_t seed);
 
-[[nodiscard]] ReleasePlace place_of(const Seeder& seeder, const Draws& draws);
+/// `plan`: of the seeder's rocks.
+[[nodiscard]] ReleasePlace place_of(const Seeder& seeder, const SamplingPlan& plan, std::uint64_t rock);
 
 /// The rock and its motion at `place`. `direction`: that of the row or the seeder, or the fall line there. What the row
 /// of a table gives replaces what the seeder would.

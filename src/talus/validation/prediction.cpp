@@ -63,8 +63,9 @@ std::map<std::string, std::uint64_t> rocks_by_name(const Model& model) {
   for (const Seeder& seeder : model.seeders) {
     const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
     if (table == nullptr || table->names.empty()) continue;
-    for (std::uint64_t k = 0; k < seeder.rocks; ++k) {
-      rocks.emplace(table->names[table->number(table->row_of(k, seeder.rocks)) - 1], seeder.first_rock + k);
+    const ReleaseOrder order = release_order(seeder, model.seed);
+    for (std::uint64_t rock = seeder.first_rock; rock < seeder.first_rock + seeder.rocks; ++rock) {
+      rocks.emplace(table->names[table->number(table->row_at(order.place_of(rock))) - 1], rock);
     }
   }
   return rocks;
