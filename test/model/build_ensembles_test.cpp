@@ -225,10 +225,10 @@ TEST_F(BuildEnsembles, RefuseAllValuesThatAreNone) {
 }
 
 TEST_F(BuildEnsembles, RefuseMoreEnsemblesThanRocks) {
-  EXPECT_EQ(
-      refusal_of([&] { static_cast<void>(built(two_sets, "ensembles = 401\n")); }),
-      "slope.toml: [sampling]: ensembles is 401 (the project has 400 rocks, and each ensemble needs one). Run more "
-      "rocks, or fewer ensembles");
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(built(two_sets, "ensembles = 401\n")); }),
+            "slope.toml: [sampling]: ensembles is 401 (seeder \"Seeder 1\" has 400 rocks, and each ensemble needs "
+            "one). Run more "
+            "rocks, or fewer ensembles");
 }
 
 // What grows with the terrain or the releases is not copied for each ensemble.

@@ -28,8 +28,12 @@ FigureCounts::FigureCounts(const RunSummary& summary) {
   std::vector<std::string> lines;
   for (const BarrierSummary* barrier : barriers) lines.push_back(barrier->name);
   convergence_.emplace(summary.rocks.planned, lines);
-  if (const std::uint64_t ensembles = ensembles_of(*summary.project); ensembles > 1)
-    uncertainty_.emplace(summary.rocks.planned, ensembles, std::move(lines));
+  EnsembleRocks run{.rocks = summary.rocks.planned, .ensembles = ensembles_of(*summary.project)};
+  if (run.ensembles < 2) return;
+  run.parameter_sets = summary.parameter_sets.value_or(run.parameter_sets);
+  if (!summary.releases.empty()) run.seeders_begin.clear();
+  for (const SeederReleases& of : summary.releases) run.seeders_begin.push_back(of.first_rock);
+  uncertainty_.emplace(std::move(run), std::move(lines));
 }
 
 void FigureCounts::add(const TableReader<EndpointRow>& row) {

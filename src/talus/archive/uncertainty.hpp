@@ -3,6 +3,7 @@
 // part of that is due to the parameters.
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,9 +15,11 @@
 namespace talus {
 
 /// A figure's interval between ensembles, and its two parts. By the law of total variance, the variance of a figure
-/// between ensembles of n rocks is that of its value for exactly known parameters, which a sample of n rocks has (the
-/// part of the rocks: the mean of the ensembles' sampling variances), and that of the value over the parameters (the
-/// part of the parameters: the rest).
+/// between ensembles of n rocks from the same places is that of its value for exactly known parameters and places (the
+/// part of the rocks), and that of the value over the parameters (the part of the parameters: the rest). The part of
+/// the rocks is the mean of the ensembles' sampling variances, less the share of it that rocks from the same place have
+/// in common: in a table of places and ensembles, with what each rock adds to the figure of its ensemble, the variance
+/// that is of neither rows nor columns (H. Scheffe, The Analysis of Variance, 1959, chapter 4).
 struct FigureUncertainty {
   RunFigure figure;
   std::string line;             // name of the barrier or collector; empty: of the whole run
@@ -37,10 +40,18 @@ struct Uncertainty {
   std::vector<FigureUncertainty> figures;
 };
 
-/// Collects the rows of a run's tables. Rock n belongs to the ensemble n modulo their number.
+/// How the rocks of a run are divided: rock n belongs to the ensemble n modulo their number, and as many consecutive
+/// rocks of a seeder start from the same place.
+struct EnsembleRocks {
+  std::uint64_t rocks = 0, ensembles = 0;
+  std::uint64_t parameter_sets = 2;                // different ones; with one, nothing is due to the parameters
+  std::vector<std::uint64_t> seeders_begin = {0};  // at these rocks
+};
+
+/// Collects the rows of a run's tables.
 class UncertaintyCount {
  public:
-  UncertaintyCount(std::uint64_t rocks, std::uint64_t ensembles, std::vector<std::string> lines);
+  UncertaintyCount(EnsembleRocks run, std::vector<std::string> lines);
 
   void add_end(std::uint64_t rock, const RockValues& values);
   /// Rows come in the order of rocks. Lines of other names, and later arrivals of a rock at the same line, do not
@@ -51,7 +62,17 @@ class UncertaintyCount {
 
  private:
   [[nodiscard]] std::optional<FigureUncertainty> of(const RunFigure& figure) const;
+  /// The number of a rock's place, all seeders together.
+  [[nodiscard]] std::uint64_t place_of(std::uint64_t rock) const;
+  void keep(std::uint64_t rock, std::size_t quantity, std::initializer_list<double> values);
+  /// The part of the sampling variance that rocks from the same place do not have in common.
+  [[nodiscard]] double own_share(const RunFigure& figure) const;
 
+  EnsembleRocks run_;
+  std::vector<std::uint64_t> first_places_;  // by seeder
+  std::uint64_t places_ = 0, step_ = 1;      // every step_-th place is kept
+  /// By quantity, place and ensemble; NaN: no such rock, or it does not reach the line.
+  std::vector<std::vector<double>> kept_;
   std::vector<std::string> lines_;
   std::map<std::string, std::size_t, std::less<>> line_of_;
   std::vector<std::optional<std::uint64_t>> last_rock_;  // by line

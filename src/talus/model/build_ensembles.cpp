@@ -211,12 +211,29 @@ void warn(const Project& project, std::string key, std::string what, std::string
 void add_ensembles(const Project& project, Model& model, Problems& warnings) {
   const ParameterSample sample = SampleReader(project, warnings).read();
   const auto ensembles = static_cast<std::size_t>(project.sampling.ensembles);
-  if (ensembles > model.rocks())
+  for (const talus::Seeder& seeder : model.seeders) {
+    if (ensembles <= seeder.rocks) continue;
+/// Warns of seeders with enough rocks for all of their places, if each were of one rock.
+void warn_of_places(const Project& project, const Model& model, Problems& warnings) {
+  for (const talus::Seeder& seeder : model.seeders) {
+    const ReleaseOrder order = release_order(seeder, model.seed);
+    if (order.turns() >= order.places || order.rocks < order.places) continue;
+    warnings.add({.severity = Severity::warning,
+                  .file = project.file.string(),
+                  .where = fmt::format("seeder \"{}\"", seeder.name),
+                  .what = fmt::format("{} of {} places release no rock", order.places - order.turns(), order.places),
+                  .why = fmt::format("each of {} ensembles has a rock from the same {} places", order.rocks_at_once,
+                                     order.turns()),
+                  .hint = fmt::format("For all places run {} rocks or a multiple, or fewer ensembles",
+                                      order.places * order.rocks_at_once)});
+  }
+}
+
     throw BadInput(Problem{.file = project.file.string(),
                            .where = "[sampling]",
                            .what = fmt::format("ensembles is {}", ensembles),
-                           .why = fmt::format("the project has {} {}, and each ensemble needs one", model.rocks(),
-                                              model.rocks() == 1 ? "rock" : "rocks"),
+                           .why = fmt::format("seeder \"{}\" has {} {}, and each ensemble needs one", seeder.name,
+                                              seeder.rocks, seeder.rocks == 1 ? "rock" : "rocks"),
                            .hint = "Run more rocks, or fewer ensembles",
                            .path = "sampling.ensembles"});
   for (const SettingNumber& number : sample.numbers) model.uncertain.push_back(number.path());
@@ -225,6 +242,8 @@ void add_ensembles(const Project& project, Model& model, Problems& warnings) {
     Project changed = project;
     for (std::size_t i = 0; i < sample.numbers.size(); ++i)
       static_cast<void>(sample.numbers[i].set(changed, sample.sets[k][i]));  // read_set has done it before
+  }
+  warn_of_places(project, model, warnings);
     Model& ensemble = model.ensembles.emplace_back(model.without_surface());
     set_properties(changed, ensemble);
     model.drawn_parameters.push_back(sample.sets[k]);
