@@ -224,8 +224,38 @@ TEST_F(Calibrations, WriteTheBestFitAsAProjectInItsPlace) {
   EXPECT_NE(text.find("{ distribution = 'normal', mean = 0.3, std_dev = 0.04 }"), std::string::npos) << text;
   EXPECT_EQ(best.project.materials[0].roughness_deg.mean, result.sets[result.best].values[1]);
   EXPECT_NO_THROW(static_cast<void>(project::build_model(best.project, best.warnings)));
-  const std::string header = "weight,score,material.Scree.tangential_restitution,material.Scree.roughness_deg\n";
+  const std::string header = "weight,score,material.Scree.tangential_restitution,material.Scree.roughness_deg,fixed:";
   EXPECT_EQ(bytes_of(path("out/posterior.csv")).substr(0, header.size()), header);
+}
+
+// A posterior is of the laws and values with which it was found: a project with others is refused, and one with the
+// same is not.
+TEST_F(Calibrations, KeepTheLawsOfTheirStudyInThePosterior) {
+  observe(30, 0.7, 6, 14);
+  write("study.toml", replaced(study_text, "project = \"slope.toml\"",
+                               "project = \"slope.toml\"\nset = [\"analysis.scale_rn_by_velocity=true\", "
+                               "\"material.Scree.friction_angle_deg=35\"]"));
+  static_cast<void>(calibrate_into(path("out"), prepared(), {}));
+  const std::string posterior = bytes_of(path("out/posterior.csv")), header = posterior.substr(0, posterior.find('\n'));
+  EXPECT_THAT(header, testing::HasSubstr(",fixed:analysis.scale_rn_by_velocity,"));
+  EXPECT_THAT(header, testing::HasSubstr(",fixed:material.Scree.friction_angle_deg.mean"));
+  EXPECT_THAT(header, testing::Not(testing::HasSubstr("fixed:material.Scree.roughness_deg")));
+  EXPECT_THAT(header, testing::Not(testing::HasSubstr("fixed:material.Scree.normal_restitution")));
+
+  write("predict.toml", slope + "[sampling]\nparameters = \"out/posterior.csv\"\nensembles = 10\n");
+  const auto build = [&](std::vector<std::string> settings) {
+    project::Reading reading = project::read_project(path("predict.toml"), {std::move(settings), {}, {}});
+    static_cast<void>(project::build_model(reading.project, reading.warnings));
+  };
+  EXPECT_EQ(
+      refusal_of([&] { build({}); }),
+      "predict.toml:25: [sampling]: parameters out/posterior.csv:2: its study has analysis.scale_rn_by_velocity = "
+      "true, and predict.toml has false (its parameters were found with that value). Give the project this value, "
+      "or calibrate with that of the project\n"
+      "predict.toml:25: [sampling]: parameters out/posterior.csv:2: its study has "
+      "material.Scree.friction_angle_deg.mean = 35.0, and predict.toml has 30.0 (its parameters were found with "
+      "that value). Give the project this value, or calibrate with that of the project");
+  EXPECT_NO_THROW(build({"analysis.scale_rn_by_velocity=true", "material.Scree.friction_angle_deg=35"}));
 }
 
 TEST_F(Calibrations, SayWhatIsDoneAfterTheSets) {

@@ -18,6 +18,8 @@
 namespace talus::project {
 namespace {
 
+using testing_tools::replaced;
+
 const std::string scree = R"(
 [terrain]
 section = [[0, 0], [10, -10], [100, -10]]
@@ -245,6 +247,39 @@ TEST_F(BuildEnsembles, ShareWhatGrowsWithTheTerrain) {
     EXPECT_EQ(&*each.seeders.front().where, &*model.seeders.front().where);
     EXPECT_EQ(each.ground.material_of(1).index, 1u);
   }
+}
+
+TEST_F(BuildEnsembles, RefuseASampleOfOtherLaws) {
+  const std::string sample =
+      "weight,score,material.Scree.friction_angle_deg,fixed:analysis.scale_rn_by_velocity,fixed:analysis.gravity_m_s2,"
+      "fixed:material.Ice.roughness_deg.mean\n";
+  const std::string found = at + ":2: its study has ", why =
+                                                           ", and slope.toml has false (its parameters were found with "
+                                                           "that value). Give the project this value, or calibrate "
+                                                           "with that of the project";
+  EXPECT_EQ(refusal(sample + "1,0.2,30,TRUE,9.80665,3\n1,0.2,31,TRUE,9.80665,3\n"),
+            found + "analysis.scale_rn_by_velocity = TRUE" + why);
+  EXPECT_EQ(built(sample + "1,0.2,30,False,9.80665,3\n").ensembles.size(), 10u) << "it has no material Ice";
+  EXPECT_EQ(refusal(sample + "1,0.2,30,false,9.80665,3\n1,0.2,30,true,9.80665,3\n"),
+            at +
+                ":3: fixed:analysis.scale_rn_by_velocity is true (the first row has false). Keep the sets of one study "
+                "in one file");
+  EXPECT_EQ(refusal("score,material.Scree.friction_angle_deg,fixed:analysis.wind\n0.2,30,5\n"),
+            at + ":2: its study has analysis.wind = 5, and slope.toml has none (its parameters were found with that "
+                 "value). Give the project this value, or calibrate with that of the project");
+}
+
+// Sites of a study may have other laws. A project is that of its site, or of any whose laws it has.
+TEST_F(BuildEnsembles, TakeTheLawsOfTheirSite) {
+  const std::string sample =
+      "score,material.Scree.friction_angle_deg,fixed:analysis.scale_rn_by_velocity@north,"
+      "fixed:analysis.scale_rn_by_velocity@south\n0.2,30,true,";
+  EXPECT_EQ(built(sample + "false\n").ensembles.size(), 10u);
+  EXPECT_EQ(
+      refusal(replaced(sample + "false\n", "friction_angle_deg", "friction_angle_deg@north")),
+      at + ":2: its study has analysis.scale_rn_by_velocity = true at site \"north\", and slope.toml has false (its "
+           "parameters were found with that value). Give the project this value, or calibrate with that of the "
+           "project");
 }
 
 TEST_F(BuildEnsembles, RefuseAMissingFile) {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 
 #include "talus/calibration/doubts.hpp"
@@ -13,7 +15,11 @@
 #include "talus/files/csv_text.hpp"
 #include "talus/files/folder_lock.hpp"
 #include "talus/files/output_file.hpp"
+#include "talus/model/fixed_columns.hpp"
+#include "talus/project/differences.hpp"
 #include "talus/project/document.hpp"
+#include "talus/project/echo.hpp"
+#include "talus/project/read.hpp"
 #include "talus/study/saved_sets.hpp"
 
 namespace talus::calibration {
@@ -213,19 +219,56 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
 
 }  // namespace
 
+namespace {
+
+/// What the projects of the sites had fixed, as columns of a sample (model/fixed_columns.hpp).
+std::vector<project::FixedSetting> fixed_columns(const PreparedStudy& study) {
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> sites_of;  // by path and value
+  for (std::size_t site = 0; site < study.sites().size(); ++site) {
+    const study::PreparedSite& prepared = study.sites()[site];
+    const study::PreparedSites::AtSite& here = study.prepared().at_site(site);
+    const auto with = [&](double share) {
+      return project::echo(
+          prepared.with(here.numbers, here.values(study.values_at(Place(study.parameters().size(), share)))));
+    };
+    std::vector<std::string> varied;
+    for (const project::Difference& each : project::differences(with(0.25), with(0.75))) varied.push_back(each.key);
+    std::optional<project::Project> as_written;
+    try {
+      as_written = project::read_project(prepared.project().file).project;
+    } catch (const BadInput&) {
+      // Without the settings of the study it is no project: then all values of its materials are the study's.
+    }
+    for (const project::FixedSetting& each :
+         project::fixed_settings(prepared.project(), as_written ? &*as_written : nullptr, varied))
+      sites_of[each.path][each.value].push_back(study.study().sites[site].name);
+  }
+  std::vector<project::FixedSetting> columns;
+  for (const auto& [path, values] : sites_of) {
+    for (const auto& [value, sites] : values)
+      columns.push_back({project::fixed_column(path, values.size() > 1 ? sites : std::vector<std::string>()), value});
+  }
+  return columns;
+}
+
+}  // namespace
+
 std::string posterior_table(const PreparedStudy& study, const CalibrationResult& result) {
   constexpr double negligible = 1e-9;
+  const std::vector<project::FixedSetting> fixed = fixed_columns(study);
   std::string text;
   CsvRow header(text);
   header << "weight"
          << "score";
   for (const study::Parameter& parameter : study.parameters()) header << std::string_view(parameter.name);
+  for (const project::FixedSetting& each : fixed) header << std::string_view(each.path);
   header.end();
   for (const SetResult& set : result.sets) {
     if (set.weight < negligible) continue;
     CsvRow row(text);
     row << set.weight << set.score;
     for (const double value : set.values) row << value;
+    for (const project::FixedSetting& each : fixed) row << std::string_view(each.value);
     row.end();
   }
   return text;

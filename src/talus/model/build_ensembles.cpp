@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/files/data_table.hpp"
 #include "talus/files/mistyped_column.hpp"
+#include "talus/model/fixed_columns.hpp"
 #include "talus/model/model.hpp"
 #include "talus/model/site_columns.hpp"
 #include "talus/project/named_files.hpp"
@@ -46,6 +48,7 @@ class SampleReader {
     refuse_overlaps();
     throw_if_any();
     while (table.next()) {
+      fixed_->check(table);
       read_set(table);
       if (sample_.sets.size() > most_sets)
         throw BadInput(problem(table.line(), "has too many rows",
@@ -85,7 +88,9 @@ class SampleReader {
       if (plain_column_name(table.columns()[k]) == weight_column) weight_ = k;
     }
     if (!weight_) refuse_mistyped_weight(table);
-    for (const auto& [column, path] : parameter_columns(table.columns(), project_, file_.string(), problems_)) {
+    const ParameterColumns found = parameter_columns(table.columns(), project_, file_.string(), problems_);
+    fixed_.emplace(table, project_, found.site);
+    for (const auto& [column, path] : found.list) {
       if (std::ranges::find(settings_of_all, path) != settings_of_all.end()) {
         problems_.add(problem(1, fmt::format("{} cannot differ between rocks", path), "all rocks of a run share it",
                               "Leave the column out"));
@@ -172,6 +177,7 @@ class SampleReader {
   ParameterSample sample_;
   std::vector<std::size_t> columns_;  // of the numbers
   std::optional<std::size_t> weight_;
+  std::optional<FixedColumns> fixed_;
   bool is_posterior_ = false;
 };
 
@@ -206,13 +212,6 @@ void warn(const Project& project, std::string key, std::string what, std::string
                 .path = "sampling." + key});
 }
 
-}  // namespace
-
-void add_ensembles(const Project& project, Model& model, Problems& warnings) {
-  const ParameterSample sample = SampleReader(project, warnings).read();
-  const auto ensembles = static_cast<std::size_t>(project.sampling.ensembles);
-  for (const talus::Seeder& seeder : model.seeders) {
-    if (ensembles <= seeder.rocks) continue;
 /// Warns of seeders with enough rocks for all of their places, if each were of one rock.
 void warn_of_places(const Project& project, const Model& model, Problems& warnings) {
   for (const talus::Seeder& seeder : model.seeders) {
@@ -229,6 +228,13 @@ void warn_of_places(const Project& project, const Model& model, Problems& warnin
   }
 }
 
+}  // namespace
+
+void add_ensembles(const Project& project, Model& model, Problems& warnings) {
+  const ParameterSample sample = SampleReader(project, warnings).read();
+  const auto ensembles = static_cast<std::size_t>(project.sampling.ensembles);
+  for (const talus::Seeder& seeder : model.seeders) {
+    if (ensembles <= seeder.rocks) continue;
     throw BadInput(Problem{.file = project.file.string(),
                            .where = "[sampling]",
                            .what = fmt::format("ensembles is {}", ensembles),
@@ -236,14 +242,14 @@ void warn_of_places(const Project& project, const Model& model, Problems& warnin
                                               seeder.rocks, seeder.rocks == 1 ? "rock" : "rocks"),
                            .hint = "Run more rocks, or fewer ensembles",
                            .path = "sampling.ensembles"});
+  }
+  warn_of_places(project, model, warnings);
   for (const SettingNumber& number : sample.numbers) model.uncertain.push_back(number.path());
   for (const std::size_t k : drawn_sets(sample.weights, ensembles, project.sampling.seed)) {
     stop_point();
     Project changed = project;
     for (std::size_t i = 0; i < sample.numbers.size(); ++i)
       static_cast<void>(sample.numbers[i].set(changed, sample.sets[k][i]));  // read_set has done it before
-  }
-  warn_of_places(project, model, warnings);
     Model& ensemble = model.ensembles.emplace_back(model.without_surface());
     set_properties(changed, ensemble);
     model.drawn_parameters.push_back(sample.sets[k]);

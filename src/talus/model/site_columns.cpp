@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "talus/files/names_in_words.hpp"
+#include "talus/model/fixed_columns.hpp"
 #include "talus/project/parameter.hpp"
 
 namespace talus::project {
@@ -89,18 +90,20 @@ std::optional<std::string> chosen_site(const std::vector<SitedColumn>& columns, 
 
 }  // namespace
 
-std::vector<ParameterColumn> parameter_columns(std::span<const std::string> names, const Project& project,
-                                               const std::string& file, Problems& problems) {
+ParameterColumns parameter_columns(std::span<const std::string> names, const Project& project, const std::string& file,
+                                   Problems& problems) {
   std::vector<SitedColumn> columns;
   for (std::size_t k = 0; k < names.size(); ++k) {
+    if (is_fixed_column(names[k])) continue;
     SitedColumn each = divided(project, k, names[k]);
     if (each.path.find('.') != std::string::npos) columns.push_back(std::move(each));
   }
   const auto site = chosen_site(columns, project, file, problems);
-  std::vector<ParameterColumn> chosen;
+  ParameterColumns chosen;
   if (!site) return chosen;
+  chosen.site = *site;
   for (SitedColumn& each : columns) {
-    if (each.sites.empty() || each.is_of(*site)) chosen.push_back({each.column, std::move(each.path)});
+    if (each.sites.empty() || each.is_of(*site)) chosen.list.push_back({each.column, std::move(each.path)});
   }
   return chosen;
 }
