@@ -258,6 +258,56 @@ TEST_F(Calibrations, KeepTheLawsOfTheirStudyInThePosterior) {
   EXPECT_NO_THROW(build({"analysis.scale_rn_by_velocity=true", "material.Scree.friction_angle_deg=35"}));
 }
 
+// Two slopes in space. The predictions of the second are the same bits wherever its own rocks stopped, since neither
+// the sets nor the axis of runouts nor the misfit nor the noise follow from them.
+TEST_F(Calibrations, PredictAHeldOutSiteWithoutItsObservations) {
+  write("space.toml", replaced(scree_slope, "[300, -60]]", "[300, -60]]\nwidth_m = 200") +
+                          replaced(cliff_release, "[1, 3]", "[1, 100, 3]"));
+  write("study.toml", R"(
+rocks = 40
+draws = 120
+hold_out_sites = true
+[[site]]
+name = "A"
+project = "space.toml"
+[[site]]
+name = "B"
+project = "space.toml"
+[[observations]]
+site = "A"
+stops = "a.csv"
+[[observations]]
+site = "B"
+stops = "b.csv"
+[[parameter]]
+path = "material.Scree.tangential_restitution"
+range = [0.6, 0.9]
+[[parameter]]
+path = "material.Scree.roughness_deg"
+range = [1, 12]
+)");
+  const auto stops = [](double x, double y) {
+    std::string text = "x_m,y_m\n";
+    for (int k = 0; k < 20; ++k)
+      text += std::to_string(x + 1.5 * ((7 * k) % 20)) + "," + std::to_string(y + 0.4 * ((3 * k) % 20 - 10)) + "\n";
+    return text;
+  };
+  write("a.csv", stops(70, 100));
+  const auto held_out = [&](const std::string& own) {
+    write("b.csv", own);
+    return calibrate(prepared()).held_out;
+  };
+  const std::vector<HeldOut> here = held_out(stops(70, 100)), moved = held_out(stops(90, 107));
+  ASSERT_EQ(here.size(), 2U);
+  ASSERT_EQ(here[1].features.size(), 2U);
+  for (std::size_t f = 0; f < 2; ++f) {
+    EXPECT_NE(here[1].features[f].observed.mean, moved[1].features[f].observed.mean);
+    EXPECT_EQ(here[1].features[f].predicted.mean, moved[1].features[f].predicted.mean) << f;
+    EXPECT_EQ(here[1].features[f].predicted.std_dev, moved[1].features[f].predicted.std_dev) << f;
+  }
+  EXPECT_NE(here[0].features[0].predicted.mean, moved[0].features[0].predicted.mean) << "site A is predicted from B";
+}
+
 TEST_F(Calibrations, SayWhatIsDoneAfterTheSets) {
   observe(30, 0.7, 6, 15);
   std::vector<std::string> said;

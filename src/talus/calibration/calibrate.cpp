@@ -59,20 +59,15 @@ class Calibration {
     for (const ObservedGroup& group : study.groups()) {
       comparisons_.emplace_back(group, study.study().seed);
       keeps_marks_ = keeps_marks_ || group.kind == ObservationKind::marks;
+      learns_from_.push_back(true);
     }
   }
 
   CalibrationResult calibrate() {
-    const auto all = static_cast<std::size_t>(study_.study().draws), most = study_.study().most_sets();
-    const auto rounds = static_cast<std::size_t>(study_.study().rounds);
-    result_.sets.reserve(most);
-    const std::size_t later = rounds > 1 ? all / 2 / (rounds - 1) : 0;
-    for (std::size_t round = 0; round < rounds; ++round) {
-      run_round(round, round == 0 ? all - later * (rounds - 1) : later);
-      if (round == 0) expect_reach(study_, result_.sets);
-    }
-    for (std::size_t round = rounds; is_too_coarse() && result_.sets.size() < most && later > 0; ++round)
-      run_round(round, std::min(later, most - result_.sets.size()));
+    const std::size_t first = first_round();
+    run_round(0, first);
+    expect_reach(study_, result_.sets);
+    run_later_rounds();
     weigh();
     hold_out();
     say("checking the results");
@@ -81,6 +76,39 @@ class Calibration {
   }
 
  private:
+  /// The sets of each round after the first.
+  [[nodiscard]] std::size_t later_round() const {
+    const auto all = static_cast<std::size_t>(study_.study().draws),
+               rounds = static_cast<std::size_t>(study_.study().rounds);
+    return rounds > 1 ? all / 2 / (rounds - 1) : 0;
+  }
+  [[nodiscard]] std::size_t first_round() const {
+    const auto all = static_cast<std::size_t>(study_.study().draws),
+               rounds = static_cast<std::size_t>(study_.study().rounds);
+    return all - later_round() * (rounds - 1);
+  }
+
+  void run_later_rounds() {
+    const auto rounds = static_cast<std::size_t>(study_.study().rounds);
+    const std::size_t most = study_.study().most_sets(), later = later_round();
+    for (std::size_t round = 1; round < rounds; ++round) run_round(round, later);
+    for (std::size_t round = rounds; is_too_coarse() && result_.sets.size() < most && later > 0; ++round)
+      run_round(round, std::min(later, most - result_.sets.size()));
+  }
+
+  /// A calibration from the observations of the other sites alone. Its first round, which no observation changes, is
+  /// the one of this calibration; all that follows from observations (misfit, noise, later rounds) is its own.
+  [[nodiscard]] Calibration without_site(std::size_t site, const CalibrationOptions& options) const {
+    Calibration others(study_, options);
+    for (std::size_t g = 0; g < study_.groups().size(); ++g) others.learns_from_[g] = study_.groups()[g].site != site;
+    static_cast<void>(others.sampler_.next_round(first_round()));
+    const auto begin = result_.sets.begin();
+    others.result_.sets.assign(begin, begin + static_cast<std::ptrdiff_t>(first_round()));
+    others.fit_misfit();
+    others.run_later_rounds();
+    return others;
+  }
+
   void say(const std::string& what) const {
     if (options_.phase) options_.phase(what);
   }
@@ -158,7 +186,8 @@ class Calibration {
   [[nodiscard]] double log_likelihood(const SetResult& set, double misfit) const {
     double sum = 0;
     for (std::size_t g = 0; g < set.densities.size(); ++g) {
-      sum += options_.likelihood_power * study_.groups()[g].weight * widened(set.densities[g], misfit);
+      if (learns_from_[g])
+        sum += options_.likelihood_power * study_.groups()[g].weight * widened(set.densities[g], misfit);
     }
     return sum;
   }
@@ -174,7 +203,8 @@ class Calibration {
   /// McCullagh, J. A. Nelder, "Generalized linear models", 2nd ed. (1989), section 9.2.)
   void fit_misfit() {
     double summaries = 0;
-    for (const GroupComparison& each : comparisons_) summaries += static_cast<double>(each.summary_count());
+    for (std::size_t g = 0; g < comparisons_.size(); ++g)
+      if (learns_from_[g]) summaries += static_cast<double>(comparisons_[g].summary_count());
     constexpr double improbable = 0.99;
     const double most = boost::math::quantile(boost::math::chi_squared(summaries), improbable);
     constexpr int tries = 20;
@@ -201,7 +231,8 @@ class Calibration {
     double sum = 0;
     for (std::size_t k = 0; k < weights.size(); ++k) {
       if (!(weights[k] > 0)) continue;
-      for (const LogDensity& density : result_.sets[k].densities) sum += weights[k] * density.squared_distance;
+      for (std::size_t g = 0; g < comparisons_.size(); ++g)
+        if (learns_from_[g]) sum += weights[k] * result_.sets[k].densities[g].squared_distance;
     }
     return sum;
   }
@@ -272,14 +303,9 @@ class Calibration {
       constant.push_back(observed_elsewhere(group));
     }
     std::vector<double> likelihoods;
-    for (const SetResult& set : result_.sets) {
-      double sum = 0;
-      for (std::size_t g = 0; g < set.densities.size(); ++g) {
-        if (study_.groups()[g].site != site) sum += study_.groups()[g].weight * widened(set.densities[g]);
-      }
-      likelihoods.push_back(sum);
-    }
-    score_prediction(study_.study().sites[site].name, likelihoods, predicted, constant);
+    for (const SetResult& set : others.result_.sets) likelihoods.push_back(set.log_likelihood);
+    others.score_prediction(study_.study().sites[site].name, likelihoods, predicted, constant);
+    for (HeldOut& held : others.result_.held_out) result_.held_out.push_back(std::move(held));
   }
 
   /// The same quantities observed at other sites. Zones are never the same.
@@ -305,6 +331,15 @@ class Calibration {
     constexpr std::size_t rows = 1000, of_release = 200;  // of a mixture, and of each release at least
     const std::vector<double> posterior = sampler_.weights(smoothed_likelihoods(sampler_.places(), likelihoods).values);
     const std::vector<double> prior = sampler_.weights(std::vector<double>(result_.sets.size(), 0));
+    // Sets of other calibrations have numbers of their own.
+    const std::size_t first = (site + 1) << 40U;
+    CalibrationOptions options{.threads = options_.threads, .likelihood_power = options_.likelihood_power};
+    if (options_.known) options.known = [&, first](std::size_t set) { return options_.known(first + set); };
+    if (options_.finished)
+      options.finished = [&, first](std::size_t set, const std::vector<SetResult>& sets) {
+        options_.finished(first + set, sets);
+      };
+    Calibration others = without_site(site, options);
     HeldOut held;
     held.name = std::move(name);
     double with_constant = 0;
@@ -382,6 +417,7 @@ std::vector<std::size_t> rows_like(const Sample& observed, std::size_t count) {
   std::vector<std::size_t> rows(observed.stratum_count(), 0);
   const auto n = static_cast<std::size_t>(observed.rows.rows());
   if (!observed.has_strata()) return {count};
+  std::vector<bool> learns_from_;             // by group
   for (const std::uint32_t stratum : observed.strata) ++rows[stratum];
   for (std::size_t& each : rows) each = (each * count + n - 1) / n;
   return rows;

@@ -65,8 +65,6 @@ void take_places(const Study& study, const StudyObservations& from, const study:
   MatchedPlaces matched = match_places(places, site, ends, file, warnings);
   group.releases = std::move(matched.strata);
   group.sample.strata = std::move(matched.of_place);
-  Vec2 mean_stop = Vec2::Zero();
-  for (const ObservedPlace& place : places) mean_stop += place.position.head<2>() / static_cast<double>(places.size());
   std::size_t compared = 0;
   Vec2 mean_end = Vec2::Zero();
   for (const study::RockEnd& end : ends) {
@@ -77,13 +75,10 @@ void take_places(const Study& study, const StudyObservations& from, const study:
   }
   group.axis.origin /= static_cast<double>(compared);
   mean_end /= static_cast<double>(compared);
-  // Observed stops that are at the releases have no direction: then that of the simulated ones counts.
-  for (const Vec2& end : {mean_stop, mean_end}) {
-    const Vec2 way = end - group.axis.origin;
-    if (without_rounding(way.norm(), 1 + end.norm()) == 0) continue;
-    group.axis.along = way.normalized();
-    break;
-  }
+  // The direction is that of the rocks of the project as it is. It does not follow from the observed places, so that
+  // predictions of a site that is held out do not depend on them.
+  const Vec2 way = mean_end - group.axis.origin;
+  if (without_rounding(way.norm(), 1 + mean_end.norm()) > 0) group.axis.along = way.normalized();
   const bool is_2d = site.project().is_2d();
   group.features = {{"runout", "m", from.accuracy_m}};
   if (!is_2d) group.features.push_back({"lateral", "m", from.accuracy_m});

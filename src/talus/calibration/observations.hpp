@@ -13,7 +13,7 @@
 
 namespace talus::calibration {
 
-/// How places on plan become distances: along the line from the releases towards the observed stops, and to its left.
+/// How places on plan become distances: along the line from the releases towards the simulated stops, and to its left.
 struct PlanAxis {
   Vec2 origin = Vec2::Zero();  // mean of the releases [m]
   Vec2 along = Vec2::UnitX();  // unit
