@@ -15,11 +15,11 @@
 #include "standard_streams.hpp"
 #include "stop_signals.hpp"
 #include "talus/calibration/best_set.hpp"
+#include "talus/calibration/model_scores.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/calibration/study.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/files/csv_text.hpp"
 #include "talus/files/output_file.hpp"
 #include "talus/project/values.hpp"
 
@@ -102,6 +102,12 @@ CalibrationResult run_one(const Study& study, const StudyModel* model, const std
   return result;
 }
 
+void write_text(const std::filesystem::path& path, const std::string& text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 /// The folder of a model's results.
 std::filesystem::path model_folder(const std::filesystem::path& folder, std::size_t model) {
   return folder / fmt::format("model-{}", model + 1);
@@ -122,25 +128,18 @@ int calibrate(const CalibrateOptions& options) {
       return done;
     }
     make_output_folder(folder);
-    std::string table;
-    CsvRow header(table);
-    header << "model"
-           << "folder"
-           << "held_out_score"
-           << "prior_score"
-           << "effective_sets";
-    header.end();
+    std::vector<calibration::ModelFacts> models;
+    std::vector<std::vector<HeldOut>> held_out;
     for (std::size_t k = 0; k < study.models.size(); ++k) {
-      const CalibrationResult result = run_one(study, &study.models[k], model_folder(folder, k), options);
-      const Means score = held_out_score(result).value_or(Means{});
-      CsvRow row(table);
-      row << std::string_view(study.models[k].name) << std::string_view(model_folder(folder, k).filename().string())
-          << score.posterior << score.prior << result.effective_sets;
-      row.end();
+      CalibrationResult result = run_one(study, &study.models[k], model_folder(folder, k), options);
+      models.push_back({study.models[k].name, model_folder(folder, k).filename().string(),
+                        held_out_score(result).value_or(Means{}).prior, result.effective_sets});
+      held_out.push_back(std::move(result.held_out));
     }
-    OutputFile file(folder / "models.csv");
-    file.write(table);
-    file.commit();
+    const std::vector<calibration::ModelScore> scores = calibration::compare_models(held_out, study.seed);
+    const std::string table = calibration::models_table(models, scores);
+    write_text(folder / "models.csv", table);
+    write_text(folder / "pooled.csv", calibration::pooled_table(calibration::pooled(held_out, scores)));
     if (!options.quiet) fmt::print("\n{}", table);
     return done;
   } catch (const Stopped&) {

@@ -228,6 +228,22 @@ TEST_F(Calibrations, WriteTheBestFitAsAProjectInItsPlace) {
   EXPECT_EQ(bytes_of(path("out/posterior.csv")).substr(0, header.size()), header);
 }
 
+// The noise is that of a logarithm by the chance of so many rocks: another seed gives nearly the same, and four times
+// the rocks give half.
+TEST_F(Calibrations, MeasureTheChanceOfTheirLikelihoods) {
+  observe(30, 0.7, 6, 14);
+  const auto noise = [&](int rocks, int seed) {
+    write("study.toml",
+          replaced(study_text, "rocks = 80", "seed = " + std::to_string(seed) + "\nrocks = " + std::to_string(rocks)));
+    return calibrate(prepared()).likelihood_noise.value_or(0);
+  };
+  const double one = noise(80, 1), other = noise(80, 2), large = noise(320, 1);
+  EXPECT_GT(one, 0.1);
+  EXPECT_LT(std::abs(std::log(other / one)), std::log(1.7));
+  EXPECT_NEAR(one / large, 2, 0.9);
+  EXPECT_EQ(noise(8, 1), 0) << "of four rocks there is no distribution";
+}
+
 // A posterior is of the laws and values with which it was found: a project with others is refused, and one with the
 // same is not.
 TEST_F(Calibrations, KeepTheLawsOfTheirStudyInThePosterior) {

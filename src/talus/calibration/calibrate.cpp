@@ -221,7 +221,6 @@ class Calibration {
     for (SetResult& set : result_.sets) likelihoods.push_back(set.log_likelihood = log_likelihood(set, result_.misfit));
     const SmoothedLikelihoods smoothed = smoothed_likelihoods(sampler_.places(), likelihoods);
     for (std::size_t k = 0; k < result_.sets.size(); ++k) result_.sets[k].smoothed_log_likelihood = smoothed.values[k];
-    result_.likelihood_noise = smoothed.noise;
     sampler_.set(smoothed.values);
   }
 
@@ -244,7 +243,42 @@ class Calibration {
       if (result_.sets[k].score < result_.sets[result_.best].score) result_.best = k;
     }
     result_.effective_sets = effective_size(weights);
+    result_.likelihood_noise = simulation_noise(weights);
     result_.thresholds = result_.sets[result_.best].chances;
+  }
+
+  /// The logarithm of the likelihood from half of the rocks has twice the variance by chance, and the difference of two
+  /// halves four times that of the whole. Its mean over sets is what all have in common and does not count.
+  [[nodiscard]] std::optional<double> simulation_noise(const std::vector<double>& weights) const {
+    constexpr std::size_t most = 60;  // of the sets with the greatest weights
+    std::vector<std::size_t> sets(weights.size());
+    std::iota(sets.begin(), sets.end(), std::size_t{0});
+    std::ranges::stable_sort(sets, std::greater{}, [&](std::size_t k) { return weights[k]; });
+    sets.resize(std::min(sets.size(), most));
+    Eigen::VectorXd differences = Eigen::VectorXd::Zero(static_cast<Index>(sets.size()));
+    tbb::parallel_for(std::size_t{0}, sets.size(), [&](std::size_t i) {
+      for (std::size_t g = 0; g < comparisons_.size(); ++g) {
+        const ObservedGroup& group = study_.groups()[g];
+        const auto [even, odd] = halves(result_.sets[sets[i]].samples[g]);
+        differences[static_cast<Index>(i)] += group.weight * (widened(comparisons_[g].density(even, group.sample)) -
+                                                              widened(comparisons_[g].density(odd, group.sample)));
+      }
+    });
+    if (!differences.allFinite() || sets.size() < 2) return std::nullopt;
+    return moments_of(differences).std_dev / 2;
+  }
+
+  /// Every other rock of each stratum.
+  [[nodiscard]] static std::pair<Sample, Sample> halves(const Sample& sample) {
+    const std::vector<Index> first = sample.first_rows();
+    std::vector<std::size_t> rocks(sample.stratum_count());
+    std::pair<std::vector<Index>, std::vector<Index>> rows;
+    for (std::size_t rock = 0; rock + 1 < first.size(); ++rock) {
+      const std::size_t stratum = sample.has_strata() ? sample.strata[static_cast<std::size_t>(first[rock])] : 0;
+      auto& half = rocks[stratum]++ % 2 == 0 ? rows.first : rows.second;
+      for (Index row = first[rock]; row < first[rock + 1]; ++row) half.push_back(row);
+    }
+    return {sample.part(rows.first), sample.part(rows.second)};
   }
 
   void hold_out() {
@@ -302,6 +336,15 @@ class Calibration {
       predicted.push_back(group.site == site ? group.sample : group.sample.part({}));
       constant.push_back(observed_elsewhere(group));
     }
+    // Sets of other calibrations have numbers of their own.
+    const std::size_t first = (site + 1) << 40U;
+    CalibrationOptions options{.threads = options_.threads, .likelihood_power = options_.likelihood_power};
+    if (options_.known) options.known = [&, first](std::size_t set) { return options_.known(first + set); };
+    if (options_.finished)
+      options.finished = [&, first](std::size_t set, const std::vector<SetResult>& sets) {
+        options_.finished(first + set, sets);
+      };
+    Calibration others = without_site(site, options);
     std::vector<double> likelihoods;
     for (const SetResult& set : others.result_.sets) likelihoods.push_back(set.log_likelihood);
     others.score_prediction(study_.study().sites[site].name, likelihoods, predicted, constant);
@@ -331,15 +374,6 @@ class Calibration {
     constexpr std::size_t rows = 1000, of_release = 200;  // of a mixture, and of each release at least
     const std::vector<double> posterior = sampler_.weights(smoothed_likelihoods(sampler_.places(), likelihoods).values);
     const std::vector<double> prior = sampler_.weights(std::vector<double>(result_.sets.size(), 0));
-    // Sets of other calibrations have numbers of their own.
-    const std::size_t first = (site + 1) << 40U;
-    CalibrationOptions options{.threads = options_.threads, .likelihood_power = options_.likelihood_power};
-    if (options_.known) options.known = [&, first](std::size_t set) { return options_.known(first + set); };
-    if (options_.finished)
-      options.finished = [&, first](std::size_t set, const std::vector<SetResult>& sets) {
-        options_.finished(first + set, sets);
-      };
-    Calibration others = without_site(site, options);
     HeldOut held;
     held.name = std::move(name);
     double with_constant = 0;
@@ -359,6 +393,13 @@ class Calibration {
                                  static_cast<std::size_t>(count), within_90(predicted[g], forecast, column)});
       }
       held.posterior += score(forecast);
+      const std::vector<Index> first = predicted[g].first_rows();
+      for (std::size_t rock = 0; rock + 1 < first.size(); ++rock) {
+        std::vector<Index> own(static_cast<std::size_t>(first[rock + 1] - first[rock]));
+        std::iota(own.begin(), own.end(), first[rock]);
+        const auto n = static_cast<double>(own.size());
+        held.scores.push_back({n * comparisons_[g].score(forecast, predicted[g].part(own)), n});
+      }
       held.prior += score(mixture_of(result_.sets, prior, g, wanted));
       if (!constant[g]) continue;
       held.constant = held.constant.value_or(0) + score(*constant[g]);
@@ -376,6 +417,7 @@ class Calibration {
   Sampler sampler_;
   bool keeps_marks_ = false;
   std::vector<GroupComparison> comparisons_;  // by group
+  std::vector<bool> learns_from_;             // by group
   CalibrationResult result_;
 };
 
@@ -417,7 +459,6 @@ std::vector<std::size_t> rows_like(const Sample& observed, std::size_t count) {
   std::vector<std::size_t> rows(observed.stratum_count(), 0);
   const auto n = static_cast<std::size_t>(observed.rows.rows());
   if (!observed.has_strata()) return {count};
-  std::vector<bool> learns_from_;             // by group
   for (const std::uint32_t stratum : observed.strata) ++rows[stratum];
   for (std::size_t& each : rows) each = (each * count + n - 1) / n;
   return rows;

@@ -91,6 +91,11 @@ struct HeldOutCoverage {
   [[nodiscard]] bool is_too_narrow() const { return within_90 < least_expected; }
 };
 
+/// The sum of the scores of a rock's observations, and their number.
+struct ObservedScore {
+  double sum = 0, count = 0;
+};
+
 /// A score of predictions of observations that were held out, over the spread of the observations: of the posterior
 /// from the others, of the prior, and of the distribution of the other observations themselves. Lower is better.
 struct HeldOut {
@@ -99,6 +104,9 @@ struct HeldOut {
   double posterior = 0, prior = 0;
   std::optional<double> constant;  // nullopt: there are no other observations of this kind
   std::vector<PredictedFeature> features;
+  /// `posterior` of each observed rock: the sum over its observations, and their number. All calibrations of the same
+  /// observations have the same rocks in the same order.
+  std::vector<ObservedScore> scores;
 };
 
 struct CalibrationResult {
@@ -106,7 +114,9 @@ struct CalibrationResult {
   std::vector<double> thresholds;  // by group: the distance that chance alone gives the best set at most, in 95 %
   std::size_t best = 0;            // the set of least score
   double effective_sets = 0;       // of the posterior
-  double likelihood_noise = 0;     // standard deviation of log-likelihoods, by the chance of the simulation
+  /// Standard deviation of the (natural) logarithm of a set's likelihood by the chance of its simulated rocks, from
+  /// their halves; nullopt: a half has too few rocks.
+  std::optional<double> likelihood_noise;
   /// Factor by which the variances of summaries were increased because the posterior's sets do not reproduce the
   /// observations; 1: none.
   double misfit = 1;

@@ -73,7 +73,7 @@ PreparedStudy::PreparedStudy(Study study, const StudyModel* variant, Problems& w
   if (static_cast<double>(observations) < observations_per_parameter * static_cast<double>(sought)) {
     warnings.add({Severity::warning, study_.file.string(), 0, "", counts_of(sought, observations),
                   fmt::format("fewer than {:g} observations for each say little", observations_per_parameter),
-                  "Seek fewer, or expect a posterior as wide as the prior"});
+                  "Free what moves the result (talus sensitivity), and compare held-out scores with fewer and more"});
   }
   check_folds();
   check_dependence(warnings);

@@ -131,7 +131,7 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
   json["agreeing_sets"] = agreeing;
   json["effective_sets"] = result.effective_sets;
   json["misfit"] = result.misfit;
-  json["likelihood_noise"] = result.likelihood_noise;
+  json["likelihood_noise"] = result.likelihood_noise ? Json(*result.likelihood_noise) : Json();
   json["best"] = {{"set", result.best}, {"score", result.sets[result.best].score}, {"values", Json::object()}};
   json["best"]["settings"] = best_settings_json(study, result);
   json["parameters"] = Json::array();
