@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "talus/files/output_file.hpp"
 
 namespace talus::validation {
@@ -74,6 +78,40 @@ std::vector<ResultRow> rows_of(std::span<const ModelResult> models) {
   return rows;
 }
 
+namespace {
+
+/// What the rows say in short, so that the page states no number that they do not have. Expects one row or more.
+std::string findings(std::span<const ResultRow> rows) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double farthest = 0, least_spread = infinity, most_spread = -infinity, least_score = infinity, most_score = -infinity;
+  std::size_t runouts = 0, places = 0, halves = 0, bands = 0;
+  for (const ResultRow& row : rows) {
+    farthest = std::max(farthest, std::abs(row.mean - row.observed_mean));
+    const double spread = row.std_dev - row.observed_std_dev, score = row.crps / row.crps_prior;
+    least_spread = std::min(least_spread, spread);
+    most_spread = std::max(most_spread, spread);
+    least_score = std::min(least_score, score);
+    most_score = std::max(most_score, score);
+    const auto is_within = [](auto count, double least, double most) {
+      return static_cast<double>(count) >= least && static_cast<double>(count) <= most;
+    };
+    runouts += row.crps < row.crps_constant ? 1U : 0U;
+    places += row.place < row.place_constant ? 1U : 0U;
+    halves += is_within(row.in_50, row.in_50_least, row.in_50_most) ? 1U : 0U;
+    bands += is_within(row.in_90, row.in_90_least, row.in_90_most) ? 1U : 0U;
+  }
+  return fmt::format(
+      "In these {} predictions\n\n"
+      "- mean runouts are off by up to {:.1f} m, and predicted spreads less observed ones are {:+.1f} to {:+.1f} m;\n"
+      "- the score of the runout is {:.0f} to {:.0f} % of the prior's; it is better than that of a constant in {}, and "
+      "that of the place in {};\n"
+      "- as many runs as expected lie within the central 50 % in {}, and within 90 % in {}.\n",
+      rows.size(), farthest, least_spread, most_spread, 100 * least_score, 100 * most_score, runouts, places, halves,
+      bands);
+}
+
+}  // namespace
+
 std::string markdown(const Experiment& experiment, std::span<const ResultRow> rows) {
   std::string text =
       "| model | predicted | observed runout, m | predicted, m | 90 % of its mean | 90 % of its spread | in 50 % | in "
@@ -96,6 +134,7 @@ std::string markdown(const Experiment& experiment, std::span<const ResultRow> ro
                     row.model, row.predicted, row.crps, row.crps_prior, row.crps_constant, row.place, row.place_prior,
                     row.place_constant, row.rmse, row.rmse_constant, row.mae, row.mae_constant);
   }
+  if (!rows.empty()) text += "\n" + findings(rows);
   if (experiment.published.empty()) return text;
   text +=
       "\n| other programs | observed, m | predicted, m | difference, m | mean error of a run, m | source |\n| --- | "
