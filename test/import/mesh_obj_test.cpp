@@ -126,7 +126,7 @@ TEST_F(MeshObj, StopsAfterTwentyErrors) {
 TEST_F(MeshObj, MessagesQuoteTextSafelyForATerminal) {
   EXPECT_EQ(
       refusal("a.obj", std::string{"v 0 0 \x1b[31m\x01\xff"} + std::string(100, 'x') + "\n" + square_obj + "f 1 2 3\n"),
-      "a.obj:1: \"?[31m??" + std::string(33, 'x') + "...\" is not a number (expected a coordinate in metres)");
+      "a.obj:1: \"?[31m?ÿ" + std::string(33, 'x') + "...\" is not a number (expected a coordinate in metres)");
 }
 
 }  // namespace

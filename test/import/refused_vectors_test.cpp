@@ -95,7 +95,7 @@ TEST_F(RefusedVectors, NamesThatAreNotUtf8) {
   VectorRequest request;
   request.attributes = {"name"};
   EXPECT_EQ(refusal("cliffs.csv", request),
-            "cliffs.csv: feature 2 has the name \"M?ller\" (it is not valid UTF-8). Convert the file, "
+            "cliffs.csv: feature 2 has the name \"Müller\" (it is not valid UTF-8). Convert the file, "
             "for example with iconv -f LATIN1 -t UTF-8, or declare its encoding");
 }
 

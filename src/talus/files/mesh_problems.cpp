@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "talus/core/utf8.hpp"
+
 namespace talus {
 
 Problem MeshProblems::problem(const MeshPlace& place, std::string what, std::string why, std::string hint) const {
@@ -51,11 +53,7 @@ void warn_of_single_precision(float largest, MeshProblems& problems) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string out{text.substr(0, longest)};
-  for (char& c : out) {
-    if (c < ' ' || c > '~') c = '?';
-  }
-  return '"' + out + (text.size() > longest ? "...\"" : "\"");
+  return '"' + for_message(text, longest) + '"';
 }
 
 }  // namespace talus

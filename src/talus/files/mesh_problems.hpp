@@ -44,7 +44,7 @@ class MeshProblems {
 /// Warns if 32-bit floats as large as `largest` [m] are more than a millimetre apart.
 void warn_of_single_precision(float largest, MeshProblems& problems);
 
-/// Text from a file as a message may quote it: in quotes, at most 40 bytes, with `?` for unprintable characters.
+/// Text from a file as a message may quote it: in quotes, at most 40 characters, with `?` for those that do not print.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
 }  // namespace talus
