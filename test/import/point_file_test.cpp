@@ -51,6 +51,75 @@ TEST_F(PointFileTest, AFirstLineMayNameTheColumns) {
   EXPECT_EQ(read("# y, x, z\n2,1.5,3\n5,4,-6.25\n8,7e3,9\n"), three);
 }
 
+TEST_F(PointFileTest, NamesOfColumnsMayHaveUmlauts) {
+  EXPECT_EQ(read("Rechtswert;Hochwert;Höhe\n1,5;2;3\n4;5;-6,25\n7e3;8;9\n"), three);
+  EXPECT_EQ(read("RECHTSWERT;HOCHWERT;HÖHE [m]\n1,5;2;3\n4;5;-6,25\n7e3;8;9\n"), three);
+  EXPECT_EQ(read("x;y;H\xF6he\n1,5;2;3\n4;5;-6,25\n7e3;8;9\n"), three) << "Latin-1";
+  const std::string refused =
+      "p.csv:1: no column is named z (the columns are \"x\", \"y\", \"Größe\"). Name the columns x, y and z, or "
+      "easting, "
+      "northing and elevation";
+  EXPECT_EQ(refusal("x,y,Größe\n1,2,3\n"), refused);
+  EXPECT_EQ(refusal("x,y,Gr\xF6\xDF"
+                    "e\n1,2,3\n"),
+            refused)
+      << "Latin-1";
+}
+
+TEST_F(PointFileTest, RefusesSeparatorsOfThousands) {
+  const auto message = [](const std::string& first, const std::string& whole, const std::string& plain) {
+    return first + "\" seems to be " + whole + " (other numbers of the column, such as " + plain +
+           ", have no comma: commas seem to separate thousands). Write numbers without separators of thousands";
+  };
+  EXPECT_EQ(refusal("x\ty\tz\n0\t0\t998\n0\t10\t1,004\n10\t0\t989\n"), "p.csv:3: \"" + message("1,004", "1004", "998"));
+  EXPECT_EQ(refusal("0;0;12,500\n0;10;-1,250\n10;0;750\n"), "p.csv:1: \"" + message("12,500", "12500", "750"));
+  EXPECT_EQ(refusal("x;y;z\n0;950;10\n0;1,000;10\n10;0;10\n"), "p.csv:3: \"" + message("1,000", "1000", "950"));
+  EXPECT_EQ(
+      refusal("x;y;z\n0;0;1.004\n0;10;998\n10;0;989\n"),
+      "p.csv:2: \"1.004\" seems to be 1004 (other numbers of the column, such as 998, have no point: points seem to "
+      "separate thousands). Write numbers without separators of thousands");
+}
+
+TEST_F(PointFileTest, ThreeDecimalsAreNoThousands) {
+  EXPECT_EQ(read("0;0;100,125\n0;10;99,875\n10;0;100\n").size(), 3U);
+  EXPECT_EQ(read("0;0;1,004\n0;10;1,5\n10;0;998\n").size(), 3U) << "another number of decimals";
+  EXPECT_EQ(read("0;0;0,950\n0;10;1,004\n10;0;998\n").size(), 3U) << "thousands do not begin with 0";
+  EXPECT_EQ(read("0;0;1,004\n0;10;2,500\n10;0;1,750\n").size(), 3U) << "all alike";
+  EXPECT_EQ(read("x,y,z\n0,0,1.004\n0,10,998\n10,0,989\n").size(), 3U) << "commas separate the columns";
+}
+
+TEST_F(PointFileTest, RefusesDecimalCommasSeparatedByBlanks) {
+  const std::string why =
+      "seems to have decimal commas (its numbers have commas, and blanks separate its columns). Write decimal points, "
+      "or "
+      "separate the columns by semicolons";
+  EXPECT_EQ(refusal("X Y Z\n2000,00 5000,00 300,00\n"), "p.csv:2: " + why);
+  EXPECT_EQ(refusal("2000,00   5000,00  300\n"), "p.csv:1: " + why);
+  EXPECT_EQ(refusal("# survey\n17 -2000,5 5000,25 300,125 rock\n"), "p.csv:2: " + why);
+  EXPECT_EQ(read("1.5, 2, 3\n4, 5, -6.25\n7e3 ,8 ,9\n"), three);
+}
+
+TEST_F(PointFileTest, RefusesNumberedPointsWithGaps) {
+  const auto why = [](const std::string& number) {
+    return "p.csv: seems to number its points in the first column (no line names the columns, and the first number " +
+           number + "). Name the columns in the first line, for example: id x y z";
+  };
+  EXPECT_EQ(refusal("103,5000.00,2000.00,300.00,GND\n104,5010.00,2000.00,300.00,GND\n107,5020.00,2000.00,301.00,GND\n"),
+            why("is whole, and different in each line"));
+  EXPECT_EQ(refusal("7 5000.1 2000.2 300.3\n3 5010.1 2000.2 300.3\n12 5020.1 2000.2 300.3\n"),
+            why("is whole, and different in each line"));
+  std::string whole;
+  for (int k = 0; k < 12; ++k) whole += std::to_string(100 + 10 * k) + " " + std::to_string(5000 - k) + " 2000 300\n";
+  EXPECT_EQ(refusal(whole), why("is whole and increases from line to line"));
+}
+
+TEST_F(PointFileTest, WholeCoordinatesAreNoNumbers) {
+  EXPECT_EQ(read("10 0.5 300.25 1\n10 9.5 301.25 1\n20 0.5 299.75 1\n").size(), 3U) << "two with the same x";
+  EXPECT_EQ(read("12 40 300.25 1\n17 31 301.25 1\n11 55 299.75 1\n").size(), 3U) << "whole on plan";
+  EXPECT_EQ(read("12.0 40.5 300.25 1\n17.0 31.5 301.25 1\n11.0 55.5 299.75 1\n").size(), 3U) << "with a point";
+  EXPECT_EQ(read("12 40.5 300.25\n17 31.5 301.25\n11 55.5 299.75\n").size(), 3U) << "three columns";
+}
+
 TEST_F(PointFileTest, SkipsCommentsAndEmptyLines) {
   EXPECT_EQ(read("# measured on Monday\n\n1.5,2,3\n\n// a break\n4,5,-6.25\n# x,y,z\n7e3,8,9\n\n"), three);
 }

@@ -10,6 +10,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
+#include "talus/core/utf8.hpp"
 #include "talus/files/mesh_problems.hpp"
 #include "talus/files/ordinary_file.hpp"
 
@@ -52,12 +53,13 @@ std::optional<double> number_in_cell(std::string_view text, bool comma_is_point)
   return value;
 }
 
-std::string plain_column_name(std::string_view name) {
+std::string plain_column_name(std::string_view given) {
+  const std::string name = in_ascii(given);
   std::string plain;
   for (std::size_t at = 0; at < name.size(); ++at) {
     char c = name[at];
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    if (name.substr(at).starts_with("\xC2\xB3")) {  // a superscript 3
+    if (std::string_view(name).substr(at).starts_with("\xC2\xB3")) {  // a superscript 3
       plain += '3';
       ++at;
     } else if (is_letter_or_digit(c)) {
@@ -184,14 +186,29 @@ bool DataTable::next() {
     split();
     // A separator at the end of a row does not begin another value.
     if (fields_.size() == columns_.size() + 1 && fields_.back().empty()) fields_.pop_back();
-    if (fields_.size() == columns_.size()) return true;
+    if (fields_.size() == columns_.size()) {
+      note_digits();
+      return true;
+    }
     const bool may_be_commas = separator_ == ',' && fields_.size() > columns_.size();
     refuse(
         fmt::format("the row has {} value{}", fields_.size(), fields_.size() == 1 ? "" : "s"),
         fmt::format("the first line names {} column{}", columns_.size(), columns_.size() == 1 ? "" : "s"),
         may_be_commas ? "If its commas are decimal commas, write points, or separate the columns by semicolons" : "");
   }
+  for (const GroupedDigits& digits : digits_) {
+    if (const auto found = digits.problem()) problems_.add(found->line, found->what, found->why, found->hint);
+  }
+  digits_.clear();
   return false;
+}
+
+void DataTable::note_digits() {
+  if (!comma_is_point()) return;
+  digits_.resize(columns_.size());
+  for (std::size_t k = 0; k < fields_.size(); ++k) {
+    if (const auto value = number_in_cell(fields_[k], comma_is_point())) digits_[k].add(fields_[k], *value, line_);
+  }
 }
 
 }  // namespace talus

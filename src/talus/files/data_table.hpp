@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "talus/files/first_problems.hpp"
+#include "talus/files/grouped_digits.hpp"
 
 namespace talus {
 
@@ -23,8 +24,8 @@ namespace talus {
 /// if the text says so; nullopt if it is not a number.
 [[nodiscard]] std::optional<double> number_in_cell(std::string_view text, bool comma_is_point);
 
-/// The name of a column in the form in which tables of Talus have it: lower case, words joined by underscores. So
-/// `Mass (kg)` is `mass_kg`, and `vx [m/s]` and `vx_mps` are `vx_m_s`.
+/// The name of a column in the form in which tables of Talus have it: lower case, words joined by underscores, without
+/// umlauts and accents. So `Mass (kg)` is `mass_kg`, and `vx [m/s]` and `vx_mps` are `vx_m_s`.
 [[nodiscard]] std::string plain_column_name(std::string_view name);
 
 /// Whether a word with which a column's name ends is a unit, of those that people use, in the form of
@@ -58,6 +59,7 @@ class DataTable {
  private:
   [[nodiscard]] bool read_record();
   void split();
+  void note_digits();
   [[noreturn]] void stop(int line, std::string what, std::string why, std::string hint = "") const;
 
   std::string file_;
@@ -68,6 +70,7 @@ class DataTable {
   std::string unquoted_;  // text of its quoted values, into which fields_ may point
   std::vector<std::string_view> fields_;
   std::vector<std::string> columns_;
+  std::vector<GroupedDigits> digits_;  // of the columns
   std::uint64_t rows_ = 0;
   int line_ = 0, lines_read_ = 0;
 };

@@ -16,8 +16,10 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
+#include "talus/core/utf8.hpp"
 #include "talus/files/data_table.hpp"
 #include "talus/files/first_problems.hpp"
+#include "talus/files/grouped_digits.hpp"
 #include "talus/files/mesh_problems.hpp"
 #include "talus/files/ordinary_file.hpp"
 #include "talus/import/mesh_text.hpp"
@@ -69,7 +71,7 @@ struct ColumnMeaning {
 // The meaning of a column's name, with or without a unit: "x", "Easting (m)", "z_ft".
 std::optional<ColumnMeaning> meaning_of(std::string_view name) {
   std::string word;
-  for (const char c : lower(name)) {
+  for (const char c : lower(in_ascii(name))) {
     if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) word += c;
   }
   static constexpr std::array<std::array<std::string_view, 9>, 3> names{{
@@ -129,6 +131,10 @@ class PointReader {
       if (text.empty() || (is_comment && !points_.empty())) continue;
       if (!is_known_) {
         choose_separator(text);
+        if (!is_comment && separator_ == ',' && has_commas_in_numbers(text)) {
+          stop_at_line("seems to have decimal commas", "its numbers have commas, and blanks separate its columns",
+                       "Write decimal points, or separate the columns by semicolons");
+        }
         split(text);
         if (number_ == 1 && !is_comment && read_total()) continue;
         if (is_comment ? names_all_columns() : has_words()) {
@@ -149,6 +155,9 @@ class PointReader {
       }
       read_point();
     }
+    for (const GroupedDigits& digits : digits_) {
+      if (const auto found = digits.problem()) problems_.add(found->line, found->what, found->why, found->hint);
+    }
     problems_.throw_if_any();
     if (points_.empty()) {
       stop("has no points", total_ ? "its first line is a count, but no point follows" : "no line has three numbers");
@@ -163,9 +172,8 @@ class PointReader {
            "Write decimal points, or separate the columns by semicolons; if they are integers, name the columns in the "
            "first line, for example: x,y,z,red,green,blue");
     }
-    if (may_be_numbered_ && points_.size() > 2) {
-      stop("seems to number its points in the first column",
-           "no line names the columns, and the first number increases by 1 from line to line",
+    if (const auto why = numbered()) {
+      stop("seems to number its points in the first column", "no line names the columns, and the first number " + *why,
            "Name the columns in the first line, for example: id x y z");
     }
     return std::move(points_);
@@ -212,6 +220,20 @@ class PointReader {
       separator_ = candidate;
       return;
     }
+  }
+
+  // Whether blanks separate the columns of a line, and two or more of them are a number with a comma: 2000,00 5000,00.
+  static bool has_commas_in_numbers(std::string_view text) {
+    std::size_t with_comma = 0;
+    for (std::size_t at = text.find_first_not_of(blanks); at != std::string_view::npos;) {
+      const std::size_t end = std::min(text.find_first_of(blanks, at), text.size());
+      const std::string_view word = text.substr(at, end - at);
+      const auto commas = std::ranges::count(word, ',');
+      if (commas > 1 || word.starts_with(',') || word.ends_with(',')) return false;
+      if (commas == 1 && ++with_comma && !number(word, true)) return false;
+      at = text.find_first_not_of(blanks, end);
+    }
+    return with_comma > 1;
   }
 
   // The end of the quoted text that begins at `at`; `at` if none does.
@@ -358,9 +380,11 @@ class PointReader {
                       axis == 2 && words_.size() == 2 ? "a point needs a height" : "a point needs x, y and z");
         return;
       }
-      const auto value = number(words_[columns_[axis]], comma_is_point());
+      const std::string_view word = words_[columns_[axis]];
+      const auto value = number(word, comma_is_point());
+      if (value && comma_is_point()) digits_[axis].add(word, *value, line_number());
       if (!value || !std::isfinite(*value)) {
-        problems_.add(line_number(), fmt::format("{} is not a number", in_quotes(words_[columns_[axis]])),
+        problems_.add(line_number(), fmt::format("{} is not a number", in_quotes(word)),
                       fmt::format("expected {} in metres", axis == 0   ? "x"
                                                            : axis == 1 ? "y"
                                                                        : "z"));
@@ -379,14 +403,37 @@ class PointReader {
                     "If it means no data, remove the line");
       return;
     }
-    if (may_be_numbered_) {
-      const auto first = number(words_[0], comma_is_point());
-      may_be_numbered_ = first && *first == std::floor(*first) && (points_.empty() || *first == last_number_ + 1);
-      last_number_ = first.value_or(0);
-    }
+    if (may_be_numbered_) note_numbering(point.x());
     if (points_.size() == most_points)
       stop("is too large", fmt::format("Talus reads fewer than {} points", most_points));
     points_.push_back(point);
+  }
+
+  // Only without names: the first column is x, unless it is the number of the point.
+  void note_numbering(double first) {
+    static constexpr std::string_view not_whole = ".,eE";
+    may_be_numbered_ = words_[0].find_first_of(not_whole) == std::string_view::npos;
+    counts_on_ = counts_on_ && (points_.empty() || first == points_.back().x() + 1);
+    rises_ = rises_ && (points_.empty() || first > points_.back().x());
+    for (std::size_t k = 1; k < 3; ++k)
+      have_decimals_ = have_decimals_ && words_[k].find_first_of(not_whole) != std::string_view::npos;
+    has_four_numbers_ = has_four_numbers_ && words_.size() > 3 && number(words_[3], comma_is_point());
+  }
+
+  // Why the first column seems to be the number of the point. The x of points may be whole, too; but then several have
+  // the same x, or their y are whole as well.
+  [[nodiscard]] std::optional<std::string> numbered() const {
+    if (!may_be_numbered_ || points_.size() < 3) return std::nullopt;
+    if (counts_on_) return "increases by 1 from line to line";
+    if (!y_is_needed_) return std::nullopt;  // a section is in the order of its distances
+    constexpr std::size_t few = 10;          // so few points with whole coordinates may be in the order of their x
+    if (rises_ && has_four_numbers_ && points_.size() >= few) return "is whole and increases from line to line";
+    if (!have_decimals_) return std::nullopt;
+    std::vector<double> first;
+    for (const Vec3& p : points_) first.push_back(p.x());
+    std::ranges::sort(first);
+    if (std::ranges::adjacent_find(first) != first.end()) return std::nullopt;
+    return "is whole, and different in each line";
   }
 
   [[nodiscard]] std::size_t columns_needed() const {
@@ -406,7 +453,8 @@ class PointReader {
   std::size_t column_count_ = 0;
   bool may_have_decimal_commas_ = false;
   bool may_be_numbered_ = false;  // whether the first column may be the number of the point
-  double last_number_ = 0;
+  bool counts_on_ = true, rises_ = true, have_decimals_ = true, has_four_numbers_ = true;  // as numbered points
+  std::array<GroupedDigits, 3> digits_;                                                    // of x, y and z
   std::array<std::size_t, 3> columns_{0, 1, 2};
   std::vector<std::string_view> words_;
 };
