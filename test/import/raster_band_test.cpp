@@ -4,6 +4,7 @@
 
 #ifdef TALUS_HAS_GDAL
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -29,6 +30,88 @@ TEST_F(RasterBand, CellsWithoutDataBecomeNan) {
   EXPECT_TRUE(std::isnan(file.grid.z[file.grid.index(3, 2)]));
   EXPECT_TRUE(std::isnan(file.grid.z[file.grid.index(2, 1)]));
   EXPECT_EQ(file.grid.z[file.grid.index(3, 1)], 8);
+}
+
+/// 40 x 20 cells of 2 m on a slope from 1100 m down, with a patch of another value.
+RasterSpec slope_with_patch(double value, GDALDataType type = GDT_Float32, double lowest = 1021) {
+  RasterSpec spec;
+  spec.columns = 40;
+  spec.rows = 20;
+  spec.type = type;
+  spec.geotransform = {400000, 2, 0, 300040, 0, -2};
+  spec.cells.clear();
+  for (int row = 0; row < spec.rows; ++row) {
+    for (int column = 0; column < spec.columns; ++column) {
+      const bool is_patch = row >= 5 && row < 10 && column >= 30 && column < 35;
+      spec.cells.push_back(is_patch ? value : lowest + 2.0 * (39 - column) + 0.25 * row);
+    }
+  }
+  return spec;
+}
+
+TEST_F(RasterBand, WarnsOfUndeclaredNoData) {
+  const auto warning = [](const std::string& value, const std::string& raw) {
+    return "dem.tif: warning: has 25 cells of " + value +
+           " m (walls surround them; they are probably no-data values that the file does not declare). Declare them: "
+           "gdal_translate -a_nodata " +
+           raw + " dem.tif dem_declared.tif";
+  };
+  for (const char* value : {"-999", "-1", "0", "-99", "9999", "32767", "99999", "-8888", "255"}) {
+    static_cast<void>(read(slope_with_patch(std::stod(value))));
+    EXPECT_EQ(warnings(), warning(value, value));
+  }
+  static_cast<void>(read(slope_with_patch(65535, GDT_UInt16)));
+  EXPECT_EQ(warnings(), warning("65535", "65535"));
+  // Among the heights: the patch is a hole or a block all the same.
+  static_cast<void>(read(slope_with_patch(999, GDT_Float32, 960)));
+  EXPECT_EQ(warnings(), warning("999", "999"));
+  // Any value far from all others.
+  static_cast<void>(read(slope_with_patch(-1234)));
+  EXPECT_EQ(warnings(), warning("-1234", "-1234"));
+  static_cast<void>(read(slope_with_patch(31234.5)));
+  EXPECT_EQ(warnings(), warning("31234.5", "31234.5"));
+}
+
+TEST_F(RasterBand, NamesUndeclaredNoDataByTheRawValue) {
+  RasterSpec spec = slope_with_patch(65535, GDT_UInt16);
+  for (double& cell : spec.cells) cell = cell == 65535 ? cell : 10 * cell;
+  spec.scale = 0.1;
+  spec.offset = 0;
+  static_cast<void>(read(spec));
+  EXPECT_THAT(warnings(), HasSubstr("has 25 cells of 6553.5 m"));
+  EXPECT_THAT(warnings(), HasSubstr("-a_nodata 65535"));
+}
+
+TEST_F(RasterBand, OneCellIsEnough) {
+  RasterSpec spec = slope_with_patch(1050);
+  spec.cells[45] = -999;
+  static_cast<void>(read(spec));
+  EXPECT_THAT(warnings(),
+              HasSubstr("has 1 cell of -999 m (walls surround it; it is probably a no-data value that the file "
+                        "does not declare)"));
+}
+
+TEST_F(RasterBand, GroundIsNoFiller) {
+  const RasterSpec slope = slope_with_patch(1050);
+  // A slope around 999 m, in whole metres and in decimals; a flat lake at 999 m; the flat floor of a quarry.
+  for (const GDALDataType type : {GDT_Int16, GDT_Float32}) {
+    RasterSpec spec = slope;
+    spec.type = type;
+    for (double& cell : spec.cells) cell -= 50;
+    static_cast<void>(read(spec));
+    EXPECT_EQ(warnings(), "");
+    for (double& cell : spec.cells) cell = std::max(cell, 999.0);
+    static_cast<void>(read(spec));
+    EXPECT_EQ(warnings(), "");
+  }
+  RasterSpec quarry = slope;
+  for (double& cell : quarry.cells) cell = cell < 1060 ? 1000 : cell;  // walls of 60 m
+  static_cast<void>(read(quarry));
+  EXPECT_EQ(warnings(), "");
+  RasterSpec forest = slope;  // whole metres with trees: walls everywhere
+  for (std::size_t k = 0; k < forest.cells.size(); ++k) forest.cells[k] = 990 + static_cast<double>((k * 7919) % 31);
+  static_cast<void>(read(forest));
+  EXPECT_EQ(warnings(), "");
 }
 
 TEST_F(RasterBand, NumbersTooLargeForAFloatCountAsNoData) {

@@ -263,6 +263,44 @@ TEST_F(GisSeeders, AMaskSelectsCells) {
   EXPECT_EQ(places(model(head + "type = \"raster\"\nmask = \"utm.tif\"\n")), places(model(masked)));
 }
 
+TEST_F(GisSeeders, WarnsOfAMaskThatSelectsByFillerValues) {
+  RasterSpec mask = mountain();
+  mask.no_data = {};
+  const auto made = [&](GDALDataType type, double outside, double zone = 1) {
+    mask.type = type;
+    for (int k = 0; k < columns * rows; ++k)
+      mask.cells[static_cast<std::size_t>(k)] =
+          k % columns >= 10 && k % columns < 30 ? (k % columns < 20 ? 1 : zone) : outside;
+    make("release.tif", mask);
+    static_cast<void>(model(head + "type = \"raster\"\nmask = \"release.tif\"\n"));
+    return warnings();
+  };
+  EXPECT_EQ(made(GDT_Float32, -9999),
+            "slope.toml:5: warning: seeder \"Cliffs\": mask \"release.tif\" selects cells by the value -9999 (every "
+            "value but "
+            "0 does; of 2204 cells it has -9999 in 1444, 1 in 760). If -9999 means no data, declare it: gdal_translate "
+            "-a_nodata -9999; or choose a value: mask_value = 1");
+  for (const double value : {255.0, 127.0, 32767.0, -32768.0, 65535.0, 9999.0, -1.0, 2147483647.0})
+    EXPECT_THAT(made(GDT_Float64, value), HasSubstr("selects cells by the value ")) << value;
+  EXPECT_EQ(made(GDT_Byte, 0, 2), "") << "zones with numbers";
+  EXPECT_EQ(made(GDT_Byte, 0, 1), "");
+  for (double& cell : mask.cells) cell = cell == 0 ? 0 : 255;
+  mask.type = GDT_Byte;
+  make("release.tif", mask);
+  static_cast<void>(model(head + "type = \"raster\"\nmask = \"release.tif\"\n"));
+  EXPECT_EQ(warnings(), "") << "255 alone";
+  for (const double value : {3.4028234663852886e38, -3.4028234663852886e38, 1e20}) {
+    mask.type = GDT_Float32;
+    for (double& cell : mask.cells) cell = cell == 0 ? value : 1;
+    make("release.tif", mask);
+    EXPECT_THAT(
+        refusal(head + "type = \"raster\"\nmask = \"release.tif\"\n"),
+        HasSubstr(
+            "(it is probably a no-data value that the file does not declare). Declare it: gdal_translate -a_nodata "));
+    for (double& cell : mask.cells) cell = cell == 1 ? 1 : 0;
+  }
+}
+
 TEST_F(GisSeeders, OnAMeshCellsAreSquares) {
   // A plane that rises 1 in 1 to the east, 100 m by 60 m.
   const std::string plane = R"([terrain]

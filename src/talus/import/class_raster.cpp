@@ -12,6 +12,7 @@
 #include "talus/core/stop.hpp"
 #include "talus/gdal/gdal_raster.hpp"
 #include "talus/gdal/raster_crs.hpp"
+#include "talus/import/filler_values.hpp"
 
 namespace talus {
 
@@ -190,6 +191,11 @@ class ClassRaster::Reader {
 
   std::int32_t whole(double value) {
     using Limits = std::numeric_limits<std::int32_t>;
+    if (may_be_filler(value) && (value < Limits::min() || value > Limits::max())) {
+      problems_.stop(
+          fmt::format("has the class {:.10g}", value), "it is probably a no-data value that the file does not declare",
+          "Declare it: " + problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", value), "_declared.tif"));
+    }
     if (value != std::floor(value) || value < Limits::min() || value > Limits::max()) {
       problems_.stop(fmt::format("has the class {:g}", value), "a class is a whole number of at most 32 bits",
                      "Round them: " + problems_.command("gdal_translate -ot Int32", "_classes.tif"));

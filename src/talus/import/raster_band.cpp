@@ -8,15 +8,18 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <utility>
 #include <vector>
 
 #include "talus/core/stop.hpp"
+#include "talus/import/filler_values.hpp"
 
 namespace talus {
 
 namespace {
 
 constexpr float no_data = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinity = std::numeric_limits<float>::infinity();
 
 /// Limits GDAL's block cache while a file is read once from end to end.
 class BlockCacheLimit {
@@ -111,24 +114,25 @@ class BandReader {
   void check_values(RasterFile& out) {
     std::uint64_t impossible = 0;
     double most_extreme = 0;
+    Extremes extremes;
     for (const float z : out.grid.z) {
       if (std::isnan(z)) {
         ++out.without_data;
       } else if (z < lowest_elevation_m || z > highest_elevation_m) {
         ++impossible;
         if (std::abs(z) > std::abs(most_extreme)) most_extreme = z;
+      } else {
+        extremes.add(z);
       }
     }
     if (impossible > 0) {
-      problems_.stop(
-          fmt::format("has elevations such as {:.10g} m", most_extreme),
-          fmt::format("{} of {} cells are below {:g} m or above {:g} m; they are probably no-data values "
-                      "that the file does not declare",
-                      impossible, out.grid.z.size(), lowest_elevation_m, highest_elevation_m),
-          "Declare them: " +
-              problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(most_extreme)), "_declared.tif"));
+      problems_.stop(fmt::format("has elevations such as {:.10g} m", most_extreme),
+                     fmt::format("{} of {} cells are below {:g} m or above {:g} m; they are probably no-data values "
+                                 "that the file does not declare",
+                                 impossible, out.grid.z.size(), lowest_elevation_m, highest_elevation_m),
+                     declare(most_extreme));
     }
-    check_zeros(out.grid);
+    check_fillers(out.grid, extremes);
     if (!has_surface(out.grid)) {
       problems_.stop("has no surface", out.without_data == out.grid.z.size()
                                            ? "no cell has data"
@@ -136,34 +140,98 @@ class BandReader {
     }
   }
 
-  /// Zeros surrounded by walls are not ground but no-data values that the file does not declare. (The sea, or a local
-  /// datum of 0, has gentle shores.)
-  void check_zeros(const RasterGrid& grid) {
+  /// The two lowest and the two highest values.
+  struct Extremes {
+    float low = infinity, next_low = infinity, high = -infinity, next_high = -infinity;
+    void add(float z) {
+      if (z < low) next_low = std::exchange(low, z);
+      if (z > low && z < next_low) next_low = z;
+      if (z > high) next_high = std::exchange(high, z);
+      if (z < high && z > next_high) next_high = z;
+    }
+  };
+
+  /// The values that may mean no data, in their order: those that programs use, as such and as raw values, and an
+  /// extreme far from all others.
+  [[nodiscard]] std::vector<float> doubtful_values(const Extremes& extremes) const {
+    std::vector<float> values{0.0F};
+    for (const double filler : filler_values()) {
+      for (const double z : {filler, filler * scale_ + offset_}) {
+        if (z >= lowest_elevation_m && z <= highest_elevation_m) values.push_back(static_cast<float>(z));
+      }
+    }
+    const auto is_far = [](float apart, float range) {
+      constexpr float high_cliff_m = 300;
+      return std::isfinite(apart) && apart > std::max(2 * range, high_cliff_m);
+    };
+    if (is_far(extremes.next_low - extremes.low, extremes.high - extremes.next_low)) values.push_back(extremes.low);
+    if (is_far(extremes.high - extremes.next_high, extremes.next_high - extremes.low)) values.push_back(extremes.high);
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+  }
+
+  /// Such values surrounded by walls are not ground but no-data values that the file does not declare. (The sea, or a
+  /// local datum of 0, has gentle shores; a lake at 999 m lies within its shores. Where the whole terrain consists of
+  /// walls, as with trees, walls mean nothing.)
+  void check_fillers(const RasterGrid& grid, const Extremes& extremes) {
     constexpr double wall = 5;  // height over width
-    std::uint64_t zeros = 0, borders = 0, walls = 0;
+    constexpr double many = 0.1;
+    struct Count {
+      std::uint64_t cells = 0, borders = 0, walls = 0;
+    };
+    const std::vector<float> values = doubtful_values(extremes);
+    const auto place_of = [&](float z) {
+      const auto at = std::ranges::lower_bound(values, z);
+      return at != values.end() && *at == z ? static_cast<std::size_t>(at - values.begin()) : values.size();
+    };
+    std::vector<Count> counts(values.size() + 1);  // the last: of all other values
+    for (const float z : grid.z) ++counts[place_of(z)].cells;
+    if (counts.back().cells == grid.z.size()) return;
     const auto compare = [&](std::size_t node, std::size_t next, double apart) {
       const float a = grid.z[node], b = grid.z[next];
-      if ((a == 0) == (b == 0) || std::isnan(a + b)) return;
-      ++borders;
-      walls += std::abs(a - b) > wall * apart ? 1 : 0;
+      if (std::isnan(a + b)) return;
+      const std::size_t of_a = place_of(a), of_b = place_of(b);
+      if (of_a == of_b && of_a < values.size()) return;
+      const bool is_wall = std::abs(a - b) > wall * apart;
+      for (const std::size_t of : {of_a, of_b}) {
+        if (of == values.size() && of_a != of_b) continue;
+        ++counts[of].borders;
+        counts[of].walls += is_wall ? 1 : 0;
+      }
     };
     for (std::uint32_t row = 0; row < grid.rows; ++row) {
       for (std::uint32_t i = 0; i < grid.columns; ++i) {
         const std::size_t node = grid.index(i, row);
-        zeros += grid.z[node] == 0 ? 1 : 0;
         if (i + 1 < grid.columns) compare(node, node + 1, grid.dx);
         if (row + 1 < grid.rows) compare(node, node + grid.columns, grid.dy);
       }
     }
-    if (2 * walls <= borders) return;
-    problems_.warn(
-        fmt::format("has {} cells of 0 m", zeros),
-        "walls surround them; they are probably no-data values that the file does not declare",
-        "Declare them: " + problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(0)), "_declared.tif"));
+    const Count& others = counts.back();
+    const bool is_all_walls = static_cast<double>(others.walls) > many * static_cast<double>(others.borders);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const auto& [cells, borders, walls] = counts[k];
+      if (2 * walls <= borders || is_all_walls) continue;
+      problems_.warn(fmt::format("has {} cell{} of {:.10g} m", cells, cells == 1 ? "" : "s", values[k]),
+                     fmt::format("walls surround {}; {} no-data value{} that the file does not declare",
+                                 cells == 1 ? "it" : "them", cells == 1 ? "it is probably a" : "they are probably",
+                                 cells == 1 ? "" : "s"),
+                     declare(values[k]));
+    }
+  }
+
+  [[nodiscard]] std::string declare(double z) const {
+    return "Declare them: " +
+           problems_.command(fmt::format("gdal_translate -a_nodata {:.17g}", raw(z)), "_declared.tif");
   }
 
   /// The value in the file, before scale and offset.
-  [[nodiscard]] double raw(double z) const { return (z - offset_) / scale_; }
+  [[nodiscard]] double raw(double z) const {
+    if (scale_ == 1 && offset_ == 0) return z;
+    constexpr double by_rounding = 1e-6;  // of scaled whole numbers
+    const double value = (z - offset_) / scale_, whole = std::round(value);
+    return std::abs(value - whole) <= by_rounding * std::abs(whole) ? whole : value;
+  }
 
   static bool has_surface(const RasterGrid& grid) {
     for (std::uint32_t row = 0; row + 1 < grid.rows; ++row) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "talus/import/class_raster.hpp"
+#include "talus/import/filler_values.hpp"
 #include "talus/model/ground_areas.hpp"
 #include "talus/model/ground_parts.hpp"
 #include "talus/model/ground_polygons.hpp"
@@ -88,8 +89,7 @@ class Classifier {
       }
       if (unknown_.size() > listed) list += fmt::format(" and {} other classes", unknown_.size() - listed);
       problems.add(about_ground(project_, fmt::format("raster \"{}\" has classes that are not in classes", file),
-                                fmt::format("{} of the terrain's {}", list, parts),
-                                fmt::format("Add {} = \"...\" to classes", unknown_.begin()->first)));
+                                fmt::format("{} of the terrain's {}", list, parts), hint_for(unknown_.begin()->first)));
     } else if (without_ > 0) {
       Problem warning =
           about_ground(project_, fmt::format("{} of {} {} of the terrain have no class", without_, parts_, parts),
@@ -103,6 +103,13 @@ class Classifier {
   }
 
  private:
+  static std::string hint_for(std::int32_t unknown) {
+    constexpr std::int32_t many_classes = 255;
+    if (may_be_filler(unknown) && (unknown < 0 || unknown >= many_classes))
+      return fmt::format("If {0} means no data, declare it: gdal_translate -a_nodata {0}", unknown);
+    return fmt::format("Add {} = \"...\" to classes", unknown);
+  }
+
   /// Warns of classes of the project that no part has; perhaps their numbers are mistyped.
   void warn_of_unused_classes(const char* parts, Problems& warnings) const {
     if (unused_.empty()) return;

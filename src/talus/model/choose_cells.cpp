@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "talus/import/class_raster.hpp"
+#include "talus/import/filler_values.hpp"
 #include "talus/import/vector_file.hpp"
 #include "talus/model/cell_heights.hpp"
 #include "talus/seeding/hilbert_curve.hpp"
@@ -231,6 +232,7 @@ class Chooser {
     }
     if (steep_enough_ == 0) return refuse_slope();
     if (mask_ && kept_.empty()) return refuse_mask();
+    if (mask_ && !seeder_.mask_value) warn_of_mask_fillers();
     if (by_polygon && with_data_ < candidates_) {
       warn(fmt::format("{} of {} cells are left out", candidates_ - with_data_, candidates_),
            "they or one of their eight neighbours have no data, or lie on the edge of the terrain");
@@ -266,15 +268,38 @@ class Chooser {
                     "the terrain lies within " + extent_of_terrain(),
                     "Check its extent and coordinate system with gdalinfo");
     }
+    return refuse(seeder_.mask_value ? fmt::format("mask \"{}\" has {} in none of the cells", file, *seeder_.mask_value)
+                                     : fmt::format("mask \"{}\" is 0 in all of the cells", file),
+                  fmt::format("of {} cells it has {}", steep_enough_, values_in_mask()));
+  }
+
+  [[nodiscard]] std::string values_in_mask() const {
     std::string found;
     for (const auto& [value, count] : values_) {
       found += fmt::format("{}{} in {}", found.empty() ? "" : ", ", value, count);
     }
     if (other_values_ > 0) found += fmt::format(", other values in {}", other_values_);
     if (unmasked_ > 0) found += fmt::format("{}no data in {}", found.empty() ? "" : ", ", unmasked_);
-    return refuse(seeder_.mask_value ? fmt::format("mask \"{}\" has {} in none of the cells", file, *seeder_.mask_value)
-                                     : fmt::format("mask \"{}\" is 0 in all of the cells", file),
-                  fmt::format("of {} cells it has {}", steep_enough_, found));
+    return found;
+  }
+
+  /// Without mask_value every value but 0 selects a cell: also one that means no data, if the file does not declare it.
+  /// A mask may select by 255 or 99 alone, and have zones with numbers.
+  void warn_of_mask_fillers() {
+    std::vector<std::int32_t> selecting;
+    for (const auto& [value, count] : values_) {
+      if (value != 0) selecting.push_back(value);
+    }
+    constexpr std::int32_t many_zones = 99;
+    const auto filler = std::ranges::find_if(selecting, [&](std::int32_t value) {
+      return value < 0 || (selecting.size() > 1 && value >= many_zones && may_be_filler(value));
+    });
+    if (filler == selecting.end()) return;
+    const auto other = std::ranges::find_if(selecting, [&](std::int32_t value) { return value != *filler; });
+    warn(fmt::format("mask \"{}\" selects cells by the value {}", seeder_.mask.string(), *filler),
+         fmt::format("every value but 0 does; of {} cells it has {}", steep_enough_, values_in_mask()),
+         fmt::format("If {0} means no data, declare it: gdal_translate -a_nodata {0}{1}", *filler,
+                     other == selecting.end() ? "" : fmt::format("; or choose a value: mask_value = {}", *other)));
   }
 
   ReleaseCells sorted_cells() {
