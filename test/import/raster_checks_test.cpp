@@ -83,10 +83,44 @@ TEST_F(RasterChecks, RefusesAGridThatIsNotGeoreferenced) {
 
 TEST_F(RasterChecks, RefusesCoordinateSystemsThatAreNotProjected) {
   RasterSpec spec;
-  spec.crs = "LOCAL_CS[\"site grid\",UNIT[\"metre\",1]]";
-  EXPECT_EQ(refusal(spec),
-            "dem.tif: has no projected coordinate system (site grid is local; Talus needs a projected one in metres). "
-            "Assign the right one: gdal_translate -a_srs EPSG:XXXX dem.tif dem_placed.tif");
+  spec.crs = "EPSG:4978";
+  EXPECT_EQ(
+      refusal(spec),
+      "dem.tif: has no projected coordinate system (EPSG:4978 is geocentric; Talus needs a projected one in metres). "
+      "Assign the right one: gdal_translate -a_srs EPSG:XXXX dem.tif dem_placed.tif");
+}
+
+TEST_F(RasterChecks, LocalCoordinateSystemsInMetresAreLocal) {
+  RasterSpec spec;
+  for (const char* crs : {"LOCAL_CS[\"site grid\",UNIT[\"metre\",1],AXIS[\"E\",EAST],AXIS[\"N\",NORTH]]",
+                          "ENGCRS[\"site grid\",EDATUM[\"site\"],CS[Cartesian,2],AXIS[\"x\",east],AXIS[\"y\",north],"
+                          "LENGTHUNIT[\"metre\",1]]"}) {
+    spec.crs = crs;
+    spec.geotransform = {0, 0.005, 0, 0.015, 0, -0.005};  // as small as degrees
+    make("dem.tif", spec);
+    for (const ProjectCrs& project : {ProjectCrs{}, local_crs()}) {
+      const RasterFile file = read("dem.tif", project);
+      EXPECT_EQ(file.crs_wkt, "");
+      EXPECT_EQ(file.crs_name, "local coordinates");
+      EXPECT_EQ(warnings(), "");
+    }
+    EXPECT_THAT(refusal("dem.tif", project_crs("EPSG:31287")), HasSubstr("(the project sets crs = \"EPSG:31287\")"));
+  }
+  spec.crs = "LOCAL_CS[\"site grid\",UNIT[\"foot\",0.3048],AXIS[\"E\",EAST],AXIS[\"N\",NORTH]]";
+  EXPECT_EQ(
+      refusal(spec),
+      "dem.tif: is not in metres on plan (the unit of site grid is foot, 0.3048 m). Multiply its coordinates by that "
+      "number, and assign the result no coordinate system");
+}
+
+TEST_F(RasterChecks, TheProjectionOfCompoundSystemsKeepsHeights) {
+  RasterSpec spec;
+  spec.crs = "EPSG:4326+5773";
+  spec.geotransform = {11, 0.001, 0, 47, 0, -0.001};
+  EXPECT_EQ(
+      refusal(spec),
+      "dem.tif: is in degrees (WGS 84 + EGM96 height is a geographic coordinate system; Talus needs metres on plan). "
+      "Project it: gdalwarp -s_srs EPSG:4326 -t_srs EPSG:32632 -r bilinear dem.tif dem_metres.tif");
 }
 
 TEST_F(RasterChecks, RefusesHeightsInFeet) {

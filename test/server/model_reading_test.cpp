@@ -5,6 +5,7 @@
 #include "server/served_runs.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -223,6 +224,22 @@ TEST_F(Hanging, ModelBlocksNeitherOthersNorTheServersEnd) {
   EXPECT_LT(Clock::now() - begin, 30s);  // the system opens the file after 45 s
   hanging.join();
   EXPECT_LT(Clock::now() - begin, 30s);  // the system opens the file after 45 s
+}
+
+class Pipes : public ServedRuns {};
+
+TEST_F(Pipes, BesideARasterTakeNoThreads) {
+  write("dem.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n9 1\n9 1\n");
+  for (const char* side : {"dem.prj", "dem.asc.aux.xml", "dem.asc.ovr"}) ASSERT_EQ(mkfifo(path(side).c_str(), 0600), 0);
+  for (int k = 0; k < 20; ++k) {  // more than threads that may hang
+    const std::string text =
+        "[terrain]\nraster = \"dem.asc\"\n[[material]]\nname = \"A\"\n[[seeder]]\nposition = [5, 5, \"surface\"]\n"
+        "mass_kg = " +
+        std::to_string(k + 1) + "\n";
+    const Reply reply = post("/api/model", {{"file", "a.toml"}, {"text", text}});
+    EXPECT_EQ(reply.status, 200);
+    EXPECT_FALSE(reply.json()["model"].is_null()) << reply.body;
+  }
 }
 
 }  // namespace

@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "talus/files/ordinary_file.hpp"
+
 namespace talus {
 
 namespace {
@@ -46,6 +48,11 @@ std::optional<std::string> within_archive(std::string_view name) {
     return is_name_of_gdal(within) ? std::nullopt : std::optional(within);
   }
   return std::nullopt;
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored);
 }
 
 bool is_regular(const fs::path& path) {
@@ -109,7 +116,7 @@ void GdalFiles::add(const fs::path& name) {
 bool GdalFiles::may_read(const fs::path& file) const {
   const fs::path place = real(file);
   const std::string name = place.string();
-  if (name.empty()) return false;
+  if (name.empty() || (not_an_ordinary_file(place) && !is_folder(place))) return false;
   if (!written_.empty() && name.starts_with(written_)) return true;
   if (files_.contains(name)) return true;
   const std::size_t begin = name.rfind('/') + 1;
@@ -128,6 +135,12 @@ bool GdalFiles::may_list(const fs::path& folder) const {
   return folders_.contains(name) || (!written_.empty() && (name + '/').starts_with(written_));
 }
 
+namespace {
+bool is_shared_with_others = false;
+}  // namespace
+
+bool others_use_gdal() { return reach == nullptr && is_shared_with_others; }
+
 GdalReach::GdalReach(const GdalFiles& files) : before_(std::exchange(reach, &files)) {}
 GdalReach::~GdalReach() { reach = before_; }
 
@@ -135,24 +148,38 @@ namespace {
 
 thread_local std::optional<std::string> failure;
 
-bool is_shared_with_others = false;
-
-/// Whether it is not Talus that uses GDAL in this thread.
-bool is_of_others() { return reach == nullptr && is_shared_with_others; }
-
 bool refused(int error) {
   errno = error;
   return false;
 }
 
 bool may_read(const char* name) {
-  return is_of_others() || (reach != nullptr && reach->may_read(name)) || refused(ENOENT);
+  return others_use_gdal() || (reach != nullptr && reach->may_read(name)) || refused(ENOENT);
 }
 bool may_list(const char* name) {
-  return is_of_others() || (reach != nullptr && reach->may_list(name)) || refused(ENOENT);
+  return others_use_gdal() || (reach != nullptr && reach->may_list(name)) || refused(ENOENT);
 }
 bool may_write(const char* name) {
-  return is_of_others() || (reach != nullptr && reach->may_write(name)) || refused(EACCES);
+  return others_use_gdal() || (reach != nullptr && reach->may_write(name)) || refused(EACCES);
+}
+
+/// The names in a folder, as GDAL lists them, but those of pipes and devices.
+char** without_special_files(const char* folder, char** names) {
+  if (names == nullptr || others_use_gdal()) return names;
+  std::set<std::string, std::less<>> special;
+  std::error_code error;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    std::error_code ignored;
+    if (!entry->is_regular_file(ignored) && !entry->is_directory(ignored)) special.insert(entry->path().filename());
+  }
+  if (special.empty()) return names;
+  const CPLStringList all(names);
+  CPLStringList kept;
+  for (int k = 0; k < all.size(); ++k) {
+    if (!special.contains(std::string_view(all[k]))) kept.AddString(all[k]);
+  }
+  return kept.StealList();
 }
 
 /// The file system of the disk, restricted to the files in reach.
@@ -180,7 +207,7 @@ class GuardedDisk final : public VSIFilesystemHandler {
     return may_write(from) && may_write(to) ? disk_->Rename(from, to) : -1;
   }
   char** ReadDirEx(const char* name, int most) override {
-    return may_list(name) ? disk_->ReadDirEx(name, most) : nullptr;
+    return may_list(name) ? without_special_files(name, disk_->ReadDirEx(name, most)) : nullptr;
   }
   int IsCaseSensitive(const char* name) override { return disk_->IsCaseSensitive(name); }
   GIntBig GetDiskFreeSpace(const char* name) override { return disk_->GetDiskFreeSpace(name); }
@@ -208,7 +235,7 @@ class NoFiles final : public VSIFilesystemHandler {
   }
 
  private:
-  [[nodiscard]] bool is_open() const { return (of_others_ != nullptr && is_of_others()) || refused(ENOENT); }
+  [[nodiscard]] bool is_open() const { return (of_others_ != nullptr && others_use_gdal()) || refused(ENOENT); }
   VSIFilesystemHandler* of_others_;
 };
 

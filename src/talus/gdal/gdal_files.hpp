@@ -35,7 +35,8 @@ class GdalFiles {
   [[nodiscard]] static GdalFiles in_folder(const std::filesystem::path& folder);
 
   /// Adds the file, and those in its folder whose names begin with its stem and a dot: dem.tif, dem.tif.aux.xml,
-  /// dem.tfw, dem.prj. For an archive, all members.
+  /// dem.tfw, dem.prj. For an archive, all members. Only ordinary files and folders: to GDAL, pipes, devices and links
+  /// to them do not exist, since reading them may never end.
   void add(const std::filesystem::path& file);
 
   [[nodiscard]] bool may_read(const std::filesystem::path& file) const;
@@ -67,6 +68,9 @@ class GdalReach {
 /// Why an existing file in reach could not be opened (too many open files, no permission), which GDAL treats as a
 /// missing file: "dem.prj: Too many open files". The first such failure in this thread since the last call.
 [[nodiscard]] std::optional<std::string> failure_of_disk();
+
+/// Whether GDAL is shared with other code, and it is that code, not Talus, that uses it in this thread.
+[[nodiscard]] bool others_use_gdal();
 
 /// Restricts GDAL's file systems: the disk as above; /vsimem/, /vsizip/ and /vsigzip/ (whose archives are on disk)
 /// work; all others - networks, standard input, parts of files - open nothing. To be called once per program. If GDAL

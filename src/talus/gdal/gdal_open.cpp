@@ -36,6 +36,28 @@ void expect_file(RasterProblems& problems) {
   if (const auto why = not_an_ordinary_file(*on_disk)) problems.stop("cannot be read", *why, "Name a file");
 }
 
+/// SQLite opens these beside a database by itself, and would wait for a pipe.
+void expect_ordinary_side_files(RasterProblems& problems) {
+  std::error_code error;
+  const auto file = file_on_disk(problems.file(), error);
+  if (!file) return;
+  for (const std::filesystem::path& database : {*file, std::filesystem::weakly_canonical(*file, error)}) {
+    for (const char* ending : {"-journal", "-wal", "-shm"}) {
+      const std::filesystem::path side = database.string() + ending;
+      if (const auto why = not_an_ordinary_file(side))
+        problems.stop("cannot be read", fmt::format("\"{}\" belongs to it, but {}", side.filename().string(), *why),
+                      "Remove it");
+    }
+  }
+}
+
+void limit_queries(GdalMessages& messages, const std::filesystem::path& name) {
+  std::error_code error;
+  const auto file = file_on_disk(name, error);
+  const auto bytes = file ? std::filesystem::file_size(*file, error) : 0;
+  messages.queries().allow_for(error ? 0 : bytes);
+}
+
 /// The first element of an XML file, such as "<GDAL_WMS>"; empty for other files.
 std::string first_element(const std::string& name) {
   std::array<char, 512> bytes{};
@@ -64,6 +86,12 @@ std::string name_for_gdal(const std::filesystem::path& file) {
   return file.is_absolute() ? file.string() : (std::filesystem::path(".") / file).string();
 }
 
+void expect_end_of_queries(GdalMessages& messages, RasterProblems& problems) {
+  if (!messages.queries().is_reached()) return;
+  problems.stop("has a view that does not end", "its query took more steps than a file of this size can need",
+                "Copy the features that you need to a table of their own");
+}
+
 std::vector<const char*> drivers_that_read(GdalKind kind) {
   std::vector<const char*> drivers;
   for (const GdalFormat& format : formats_read(kind)) drivers.push_back(format.driver);
@@ -81,6 +109,10 @@ GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, Raste
                                     const char* const* options) {
   expect_file(problems);
   messages.files().add(problems.file());
+  if (kind == GdalKind::vector) {
+    expect_ordinary_side_files(problems);
+    limit_queries(messages, problems.file());
+  }
   const std::string name = name_for_gdal(problems.file());
   if (const auto fault = fault_of_proj(messages)) problems.stop(fault->what, fault->why, fault->hint);
   (void)failure_of_disk();
@@ -91,6 +123,7 @@ GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, Raste
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), flags, drivers_that_read(kind).data(), options, nullptr));
   stop_point();  // an interruption is not an error in the file
+  expect_end_of_queries(messages, problems);
   expect_all_opened(problems);
   if (dataset) return dataset;
   const std::string element = first_element(name);

@@ -16,6 +16,9 @@ namespace talus {
 [[nodiscard]] GDALDatasetUniquePtr open_with_gdal(GdalKind kind, GdalMessages& messages, RasterProblems& problems,
                                                   const char* const* options = nullptr);
 
+/// Throws BadInput if queries of the file were ended by their limit, which looks like the end of its data.
+void expect_end_of_queries(GdalMessages& messages, RasterProblems& problems);
+
 /// GDAL's name for the format of a file, which is added to the reach of `messages`; empty if Talus does not read it as
 /// this kind. Throws BadInput if there is no such file.
 [[nodiscard]] std::string format_of_file(GdalKind kind, GdalMessages& messages, RasterProblems& problems);

@@ -25,6 +25,8 @@ class GdalMessages {
 
   /// The files in reach.
   [[nodiscard]] GdalFiles& files() { return files_; }
+  /// The limit of the queries that GDAL makes for them.
+  [[nodiscard]] QueryLimit& queries() { return queries_; }
   /// Discards the failures so far.
   void clear() { failure_.clear(); }
   [[nodiscard]] bool has_failure() const { return !failure_.empty(); }
@@ -35,6 +37,7 @@ class GdalMessages {
   static void note(CPLErr severity, CPLErrorNum number, const char* message);
   GdalFiles files_;
   GdalReach reach_{files_};
+  QueryLimit queries_;
   std::string failure_;
 };
 

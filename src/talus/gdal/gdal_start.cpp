@@ -9,10 +9,13 @@
 #include <ogrsf_frmts.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
 #include "talus/core/stop.hpp"
 #include "talus/gdal/gdal_files.hpp"
+#include "talus/gdal/proj_files.hpp"
 
 namespace talus {
 
@@ -39,11 +42,17 @@ CPLHTTPResult* no_network(const char*, CSLConstList, GDALProgressFunc, void*, CP
   return result;
 }
 
-/// A view in a GeoPackage may run forever: queries end when their thread is asked to stop.
-int must_end(void*) { return StopScope::current() != nullptr && StopScope::current()->is_requested() ? 1 : 0; }
+constexpr int interval = 10'000;  // steps of SQLite's virtual machine: less than a millisecond
+
+thread_local QueryLimit* current_limit = nullptr;
+
+/// Queries end at their limit, and when their thread is asked to stop.
+int must_end(void*) {
+  const bool is_stopped = StopScope::current() != nullptr && StopScope::current()->is_requested();
+  return is_stopped || !QueryLimit::count(interval) ? 1 : 0;
+}
 
 int make_stoppable(sqlite3* database, const char**, const sqlite3_api_routines*) {
-  constexpr int interval = 10'000;  // steps of SQLite's virtual machine: less than a millisecond
   sqlite3_progress_handler(database, interval, &must_end, nullptr);
   return SQLITE_OK;
 }
@@ -56,6 +65,7 @@ void begin() {
   if (!is_shared) CPLHTTPSetFetchCallback(&no_network, nullptr);
   OSRSetPROJEnableNetwork(FALSE);
   guard_gdal_files(is_shared);
+  guard_proj_files();
   // A GeoPackage is a database and may contain views and virtual tables: these may use only SQLite's own harmless
   // functions, and no modules that read other files.
   CPLSetConfigOption("SPATIALITE_LOAD", "NO");
@@ -102,6 +112,22 @@ std::string names_of_formats(GdalKind kind) {
     names += formats[i].name;
   }
   return names;
+}
+
+QueryLimit::QueryLimit() : before_(std::exchange(current_limit, this)) {}
+QueryLimit::~QueryLimit() { current_limit = before_; }
+
+void QueryLimit::allow_for(std::uint64_t bytes) {
+  // A row takes some ten steps and more than ten bytes. Views read tables several times; a join of two small tables
+  // without an index, their product.
+  constexpr std::uint64_t always = 20'000'000, per_byte = 100;
+  left_ = always + per_byte * bytes;
+}
+
+bool QueryLimit::count(std::uint64_t steps) {
+  if (current_limit == nullptr || current_limit->left_ == std::numeric_limits<std::uint64_t>::max()) return true;
+  current_limit->left_ -= std::min(steps, current_limit->left_);
+  return !current_limit->is_reached();
 }
 
 void share_gdal() { is_shared = true; }

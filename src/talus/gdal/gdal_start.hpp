@@ -2,6 +2,8 @@
 // GDAL as Talus uses it: a few formats, only the files in reach (gdal_files.hpp), and no network. Only for files that
 // are built with GDAL.
 
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -25,6 +27,25 @@ struct GdalFormat {
 /// of data elsewhere (WMS, WFS, OGR's virtual layers, databases) are not read, not even if another file refers to them.
 /// GDAL and PROJ do not use the network.
 void start_gdal();
+
+/// During its lifetime, bounds the SQL queries of this thread: a view in a GeoPackage may run for ever.
+class QueryLimit {
+ public:
+  QueryLimit();
+  QueryLimit(const QueryLimit&) = delete;
+  QueryLimit& operator=(const QueryLimit&) = delete;
+  ~QueryLimit();
+
+  /// Allows queries about as many steps as a database of this size can need. Without it there is no limit.
+  void allow_for(std::uint64_t bytes);
+  [[nodiscard]] bool is_reached() const { return left_ == 0; }
+  /// Counts steps of SQLite's virtual machine; false if there were too many in this thread.
+  [[nodiscard]] static bool count(std::uint64_t steps);
+
+ private:
+  QueryLimit* before_;
+  std::uint64_t left_ = std::numeric_limits<std::uint64_t>::max();  // steps
+};
 
 /// GDAL is shared with other code of this process, as in an interpreter of Python: its files and networks stay open to
 /// that code. Drivers that it registers are not used by Talus, which names the formats it reads. To be called before

@@ -4,12 +4,19 @@
 
 #include <fmt/format.h>
 
+#include <cpl_conv.h>
+#include <cpl_error.h>
+
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
 #include <numbers>
 #include <optional>
+
+#include "talus/gdal/zone_in_easting.hpp"
 
 namespace talus {
 
@@ -110,6 +117,16 @@ bool check_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProbl
   return false;
 }
 
+/// How eastings that begin with the number of a zone, as in Germany's and Russia's, can be used: where the place
+/// without it lies within the area of the coordinate system. Empty if they do not.
+std::string hint_for_zone(const OGRSpatialReference& crs, const Vec2& centre, const Transformation& transformation) {
+  const auto zone = zone_in_easting(centre.x());
+  if (!zone) return "";
+  const auto without = degrees(*transformation, centre - Vec2(*zone * metres_per_zone, 0));
+  if (!without || degrees_outside(crs, *without) > 3) return "";
+  return fmt::format("Its eastings seem to begin with the number of a zone, {}: ", *zone) + way_out_of_zone(*zone);
+}
+
 /// Finds files with the wrong coordinate system, or with x and y exchanged, by their place on the earth.
 void check_place_on_earth(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
                           const CrsCommands& commands) {
@@ -118,7 +135,9 @@ void check_place_on_earth(const OGRSpatialReference& crs, const Vec2& centre, Ra
   if (!transformation) return;
   const auto place = degrees(*transformation, centre);
   const std::string at = fmt::format("({:.10g}, {:.10g})", centre.x(), centre.y());
-  const std::string hint = "Assign the right one, or put its coordinates in the order x, y: " + commands.name;
+  const std::string zone = hint_for_zone(crs, centre, transformation);
+  const std::string hint =
+      zone.empty() ? "Assign the right one, or put its coordinates in the order x, y: " + commands.name : zone;
   if (!place || std::abs(place->y()) > 90) {
     problems.refuse("is nowhere on the earth", fmt::format("its centre {} has no position in {}", at, name_of(crs)),
                     hint);
@@ -134,7 +153,83 @@ void check_place_on_earth(const OGRSpatialReference& crs, const Vec2& centre, Ra
   }
 }
 
+/// Values of parameters in PROJ's strings that are names of files. An initialisation file of an authority is a code.
+bool names_file(std::string_view key, std::string_view value) {
+  static constexpr std::array<std::string_view, 9> keys{"nadgrids", "geoidgrids", "grids", "xy_grids", "z_grids",
+                                                        "init",     "file",       "model", "catalog"};
+  if (std::ranges::find(keys, key) == keys.end()) return false;
+  if (key == "init") {
+    std::string authority(value.substr(0, value.find(':')));
+    std::ranges::transform(authority, authority.begin(), [](unsigned char c) { return std::tolower(c); });
+    static constexpr std::array<std::string_view, 5> known{"epsg", "esri", "iau2000", "ignf", "ogc"};
+    return std::ranges::find(known, authority) == known.end();
+  }
+  // Of a list, each may be marked as optional by @.
+  return value.find_first_of("/\\") != std::string_view::npos || value.starts_with('~') || value.starts_with('.') ||
+         value.find(",.") != std::string_view::npos || value.find(",~") != std::string_view::npos ||
+         value.find("@.") != std::string_view::npos || value.find("@~") != std::string_view::npos;
+}
+
 }  // namespace
+
+bool is_local(const OGRSpatialReference& crs) {
+  if (!crs.IsCompound()) return crs.IsLocal() != 0;
+  OGRSpatialReference plan = crs;
+  plan.StripVertical();
+  return plan.IsLocal() != 0;
+}
+
+std::optional<std::string> file_named_in(std::string_view words) {
+  // key=value, where both end as words do in PROJ's strings and in WKT
+  constexpr std::string_view ends = " \t\r\n\"'[](),+";
+  for (std::size_t at = words.find('='); at != std::string_view::npos; at = words.find('=', at + 1)) {
+    const std::size_t before = at == 0 ? std::string_view::npos : words.find_last_of(ends, at - 1);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::size_t first = std::min(words.find_first_not_of("\"'", at + 1), words.size());
+    const std::size_t end = std::min(words.find_first_of(" \t\r\n\"'[]()", first), words.size());
+    const std::string_view key = words.substr(begin, at - begin), value = words.substr(first, end - first);
+    if (names_file(key, value)) return fmt::format("+{}={}", key, value);
+  }
+  // PARAMETERFILE["Latitude and longitude difference file","../grid.gsb"]
+  constexpr std::string_view element = "PARAMETERFILE[";
+  for (std::size_t at = words.find(element); at != std::string_view::npos; at = words.find(element, at + 1)) {
+    const std::size_t name_end = words.find("\",", at), begin = words.find('"', name_end + 1);
+    const std::size_t end = words.find('"', begin + 1);
+    if (name_end == std::string_view::npos || begin == std::string_view::npos || end == std::string_view::npos) break;
+    const std::string_view value = words.substr(begin + 1, end - begin - 1);
+    if (names_file("grids", value)) return std::string(value);
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> file_named_in(const OGRSpatialReference& crs) {
+  // Either form may lack what the other one has.
+  for (const char* form : {"FORMAT=WKT2_2019", "FORMAT=WKT1_GDAL"}) {
+    const char* const options[] = {form, nullptr};
+    char* wkt = nullptr;
+    CPLPushErrorHandler(CPLQuietErrorHandler);
+    const bool is_written = crs.exportToWkt(&wkt, options) == OGRERR_NONE && wkt;
+    CPLPopErrorHandler();
+    auto found = is_written ? file_named_in(std::string_view(wkt)) : std::nullopt;
+    CPLFree(wkt);
+    if (found) return found;
+  }
+  return std::nullopt;
+}
+
+void refuse_files_in_crs(const OGRSpatialReference& crs, RasterProblems& problems, const std::string& hint) {
+  const auto file = file_named_in(crs);
+  if (!file) return;
+  problems.refuse("has a coordinate system that names a file", *file + "; Talus reads no files that others name", hint);
+}
+
+std::string option_to_keep_heights(const OGRSpatialReference& crs) {
+  if (!crs.IsCompound()) return "";
+  OGRSpatialReference plan = crs;
+  plan.StripVertical();
+  const char *authority = plan.GetAuthorityName(nullptr), *code = plan.GetAuthorityCode(nullptr);
+  return authority && code ? fmt::format(" -s_srs {}:{}", authority, code) : " -s_srs EPSG:XXXX";
+}
 
 std::optional<Problem> fault_of_proj(GdalMessages& messages) {
   messages.clear();
@@ -210,19 +305,32 @@ std::optional<HeightFault> fault_of_heights(const OGRSpatialReference& crs) {
 void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems) {
   check_terrain_crs(crs, centre, problems,
                     {[&](const std::string& target) {
-                       return problems.command(fmt::format("gdalwarp -t_srs {} -r bilinear", target), "_metres.tif");
+                       return problems.command(
+                           fmt::format("gdalwarp{} -t_srs {} -r bilinear", option_to_keep_heights(crs), target),
+                           "_metres.tif");
                      },
                      problems.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif")});
 }
 
 void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
                        const CrsCommands& commands) {
-  if (crs.IsGeographic()) {
+  if (const auto file = file_named_in(crs)) {
+    refuse_files_in_crs(crs, problems, "Assign one without it: " + commands.name);
+  } else if (crs.IsGeographic()) {
     problems.refuse("is in degrees",
                     fmt::format("{} is a geographic coordinate system; Talus needs metres on plan", name_of(crs)),
                     "Project it: " + command_to_utm(crs, centre, commands));
+  } else if (is_local(crs)) {
+    const char* unit = nullptr;
+    const double metres = crs.GetLinearUnits(&unit);
+    if (std::abs(metres - 1) > 1e-9) {
+      problems.refuse(
+          "is not in metres on plan",
+          fmt::format("the unit of {} is {}, {:.10g} m", name_of(crs), unit && *unit ? unit : "unnamed", metres),
+          "Multiply its coordinates by that number, and assign the result no coordinate system");
+    }
   } else if (!crs.IsProjected()) {
-    const char* kind = crs.IsLocal() ? "local" : crs.IsGeocentric() ? "geocentric" : "neither projected nor geographic";
+    const char* kind = crs.IsGeocentric() ? "geocentric" : "neither projected nor geographic";
     problems.refuse("has no projected coordinate system",
                     fmt::format("{} is {}; Talus needs a projected one in metres", name_of(crs), kind),
                     "Assign the right one: " + commands.name);

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "talus/core/vec.hpp"
 #include "talus/gdal/gdal_raster.hpp"
@@ -21,6 +22,22 @@ inline constexpr double refused_scale = 0.05;
 /// An error if PROJ cannot look up coordinate systems, or nullopt: without its database every file would seem to have
 /// none.
 [[nodiscard]] std::optional<Problem> fault_of_proj(GdalMessages& messages);
+
+/// Whether it is a local (engineering) coordinate system, which belongs to no map. In metres it says no more than
+/// crs = "local" in a project.
+[[nodiscard]] bool is_local(const OGRSpatialReference& crs);
+
+/// The part of a coordinate system, or of a user's words for one, that names a file: "+nadgrids=../grid.gsb". Names of
+/// PROJ's own files, without a folder, are nothing to object to. nullopt if there is none.
+[[nodiscard]] std::optional<std::string> file_named_in(const OGRSpatialReference& crs);
+[[nodiscard]] std::optional<std::string> file_named_in(std::string_view words);
+
+/// Adds an error if the coordinate system names a file.
+void refuse_files_in_crs(const OGRSpatialReference& crs, RasterProblems& problems, const std::string& hint);
+
+/// Its horizontal part, as an option of commands that transform on plan: " -s_srs EPSG:4326"; with it they keep heights
+/// as they are. Empty if the coordinate system has no vertical part.
+[[nodiscard]] std::string option_to_keep_heights(const OGRSpatialReference& crs);
 
 /// As WKT 2 (ISO 19162:2019).
 [[nodiscard]] std::string wkt_of(const OGRSpatialReference& crs);
@@ -46,13 +63,13 @@ struct HeightFault {
 /// Whether the third axis of the coordinate system points down: its numbers are depths.
 [[nodiscard]] bool has_depths(const OGRSpatialReference& crs);
 
-/// Refuses coordinate systems that are not in metres on plan, or not in metres on the ground at `centre` (x and y as in
-/// the file; nullopt if it is not georeferenced).
+/// Refuses coordinate systems that name a file, that are not in metres on plan, or not in metres on the ground at
+/// `centre` (x and y as in the file; nullopt if it is not georeferenced).
 void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems);
 
 /// The commands that repair a file of another kind than a raster.
 struct CrsCommands {
-  std::function<std::string(const std::string& target)> project;  // to a coordinate system such as "EPSG:32633"
+  std::function<std::string(const std::string& target)> project;  // to one such as "EPSG:32633"; must keep heights
   std::string name;                                               // assigns the right one to the file
 };
 

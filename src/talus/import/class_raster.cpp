@@ -92,12 +92,14 @@ class ClassRaster::Reader {
  private:
   void find_transformation(const std::string& terrain_crs_wkt) {
     const OGRSpatialReference* known = dataset_->GetSpatialRef();
+    const std::string assign = problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif");
+    if (known) refuse_files_in_crs(*known, problems_, "Assign one without it: " + assign);
+    problems_.throw_if_any();
     if (known && known->IsEmpty()) known = nullptr;
     if (known) crs_name = name_of(*known);
     if (terrain_crs_wkt.empty()) return;
     if (!known) {
-      problems_.warn("has no coordinate system", "that of the terrain is assumed",
-                     "Assign it: " + problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
+      problems_.warn("has no coordinate system", "that of the terrain is assumed", "Assign it: " + assign);
       return;
     }
     OGRSpatialReference from, to = *known;
@@ -109,7 +111,7 @@ class ClassRaster::Reader {
     if (!to_file_) {
       problems_.refuse(fmt::format("is in {}", crs_name),
                        fmt::format("there is no transformation to it from {}, that of the terrain", name_of(from)),
-                       "Assign the right one: " + problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif"));
+                       "Assign the right one: " + assign);
     }
   }
 

@@ -15,16 +15,19 @@ namespace talus {
 
 namespace {
 
-/// The coordinate system of the file; if it has none, that of the project.
+/// The coordinate system of the file; if it has none on a map, that of the project.
 std::optional<OGRSpatialReference> crs_of(GDALDataset& dataset, const ProjectCrs& project_crs, GdalMessages& messages,
-                                          RasterProblems& problems) {
+                                          RasterProblems& problems, bool& own_is_local) {
   messages.clear();
   const OGRSpatialReference* own = dataset.GetSpatialRef();
   if (own == nullptr && messages.has_failure()) {
     problems.stop("has a coordinate system that cannot be read", messages.failure());
   }
-  if (own && !own->IsEmpty()) {
-    const SurveyCrs of_file{wkt_of(*own), name_of(*own)};
+  if (own && is_local(*own) && !project_crs.crs.is_known()) {
+    check_terrain_crs(*own, std::nullopt, problems);  // its unit
+    own_is_local = true;
+  } else if (own && !own->IsEmpty()) {
+    const SurveyCrs of_file{.wkt = wkt_of(*own), .name = name_of(*own)};
     if (project_crs.is_local || (project_crs.crs.is_known() && !have_same_plan(of_file, project_crs.crs))) {
       problems.refuse(
           fmt::format("is in {}", of_file.name),
@@ -52,7 +55,9 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
 
   check_size(*dataset, problems);
   const auto place = placing_of(*dataset, problems);
-  const std::optional<OGRSpatialReference> named = crs_of(*dataset, project_crs, messages, problems);
+  bool is_local_file = false;
+  const std::optional<OGRSpatialReference> named = crs_of(*dataset, project_crs, messages, problems, is_local_file);
+  const bool is_in_local_metres = project_crs.is_local || (is_local_file && !named);
   const OGRSpatialReference* const crs = named ? &*named : nullptr;
   std::optional<Vec2> centre;
   double t[6];
@@ -63,7 +68,7 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
   check_band(band, problems);
   // Before the plan is checked: a projected copy no longer declares the unit of its heights.
   check_unit(band, crs, problems);
-  if (place) check_place(*dataset, *place, crs, project_crs.is_local, problems);
+  if (place) check_place(*dataset, *place, crs, is_in_local_metres, problems);
   if (crs) check_terrain_crs(*crs, centre, problems);
   problems.throw_if_any();
 
@@ -71,7 +76,9 @@ RasterFile read_raster_file(const std::filesystem::path& path, Problems& warning
   if (crs) {
     out.crs_wkt = wkt_of(*crs);
     out.crs_name = name_of(*crs);
-  } else if (!project_crs.is_local) {
+  } else if (is_in_local_metres) {
+    out.crs_name = "local coordinates";
+  } else {
     problems.warn("has no coordinate system",
                   fmt::format("its cells are assumed to be {:.6g} x {:.6g} m", place->dx, place->dy),
                   "Set crs = \"EPSG:XXXX\" in [terrain], or \"local\" for metres that belong to no map");

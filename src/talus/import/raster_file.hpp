@@ -22,7 +22,7 @@ inline constexpr double highest_elevation_m = 100000;
 struct RasterFile {
   RasterGrid grid;                 // in the file's coordinates [m]; its nodes are the centres of the file's cells
   std::string crs_wkt;             // the coordinate system as WKT 2; empty if unknown
-  std::string crs_name;            // for messages, for example "EPSG:31287"; empty if unknown
+  std::string crs_name;            // for messages, for example "EPSG:31287", "local coordinates"; empty if unknown
   std::uint64_t without_data = 0;  // nodes
 };
 

@@ -25,8 +25,10 @@ std::optional<double> metres_of_unit(const std::optional<int>& epsg) {
   return *epsg == 9001 ? 1 : *epsg == 9002 ? 0.3048 : *epsg == 9003 ? 1200.0 / 3937 : std::optional<double>();
 }
 
-CrsCommands commands_for(const std::filesystem::path& file, SurveyKind kind) {
+/// `crs`: that of the file, null if it is not known.
+CrsCommands commands_for(const std::filesystem::path& file, SurveyKind kind, const OGRSpatialReference* crs = nullptr) {
   const std::string old = shell_word(file.string());
+  const std::string keeping = crs ? option_to_keep_heights(*crs) : "";  // " -s_srs EPSG:XXXX"
   switch (kind) {
     case SurveyKind::text:
       return {[=](const std::string& target) {
@@ -36,14 +38,19 @@ CrsCommands commands_for(const std::filesystem::path& file, SurveyKind kind) {
               "crs = \"EPSG:XXXX\" in [terrain]"};
     case SurveyKind::las:
       return {[=](const std::string& target) {
-                return fmt::format("pdal translate {} {} reprojection --filters.reprojection.out_srs={}", old,
-                                   new_file(file, "_metres.las"), target);
+                constexpr std::size_t option = 8;  // " -s_srs "
+                return fmt::format("pdal translate {} {} reprojection{} --filters.reprojection.out_srs={}", old,
+                                   new_file(file, "_metres.las"),
+                                   keeping.empty() ? "" : " --filters.reprojection.in_srs=" + keeping.substr(option),
+                                   target);
               },
               fmt::format("pdal translate {} {} --writers.las.a_srs=EPSG:XXXX", old, new_file(file, "_placed.las"))};
     case SurveyKind::vector:
       break;
   }
-  return {[=](const std::string& target) { return ogr2ogr("-t_srs " + target, file, "_metres.gpkg"); },
+  return {[=](const std::string& target) {
+            return ogr2ogr((keeping.empty() ? "" : keeping.substr(1) + " ") + "-t_srs " + target, file, "_metres.gpkg");
+          },
           ogr2ogr("-a_srs EPSG:XXXX", file, "_placed.gpkg")};
 }
 
@@ -51,6 +58,12 @@ OGRSpatialReference read(const SurveyCrs& crs) {
   OGRSpatialReference out;
   out.importFromWkt(crs.wkt.c_str());
   return out;
+}
+
+SurveyCrs known_crs(const OGRSpatialReference& crs) {
+  if (is_local(crs) && std::abs(crs.GetLinearUnits() - 1) <= 1e-9)
+    return {.wkt = {}, .name = name_of(crs), .is_local = true};
+  return {.wkt = wkt_of(crs), .name = name_of(crs)};
 }
 
 OGRSpatialReference plan_of(const SurveyCrs& crs) {
@@ -62,6 +75,8 @@ OGRSpatialReference plan_of(const SurveyCrs& crs) {
 
 }  // namespace
 
+std::optional<std::string> file_in_crs_words(const std::string& words) { return file_named_in(words); }
+
 std::optional<SurveyCrs> crs_in_words(const std::string& words) {
   GdalMessages messages;
   if (auto fault = fault_of_proj(messages)) throw BadInput(std::move(*fault));
@@ -69,7 +84,7 @@ std::optional<SurveyCrs> crs_in_words(const std::string& words) {
   if (crs.SetFromUserInput(words.c_str(), OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get()) != OGRERR_NONE) {
     return std::nullopt;
   }
-  return SurveyCrs{wkt_of(crs), name_of(crs)};
+  return known_crs(crs);
 }
 
 SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const ProjectCrs& project_crs,
@@ -101,7 +116,11 @@ SurveyCrs crs_of_las(const LasCrs& las, const std::filesystem::path& file, const
                     "Transform it to one in metres: " + commands.project("EPSG:XXXX"));
   }
   problems.throw_if_any();
-  if (is_known) return {wkt_of(crs), name_of(crs)};
+  if (is_known && is_local(crs)) {
+    check_terrain_crs(crs, std::nullopt, problems, commands);
+    problems.throw_if_any();
+  }
+  if (is_known) return known_crs(crs);
   if (project_crs.crs.is_known() || project_crs.is_local) return {};
   warnings.add(Problem{.severity = Severity::warning,
                        .file = file.string(),
@@ -123,7 +142,7 @@ void check_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, c
   const GdalMessages messages;
   RasterProblems problems(file);
   const OGRSpatialReference reference = read(crs);
-  const CrsCommands commands = commands_for(file, kind);
+  const CrsCommands commands = commands_for(file, kind, &reference);
   if (const auto fault = reference.IsVertical() ? fault_of_heights(reference) : std::nullopt) {
     problems.refuse(fault->what, fault->why,
                     "Transform it to one with heights in metres: " + commands.project("EPSG:XXXX+XXXX"));
@@ -138,6 +157,8 @@ void check_survey_crs(const SurveyCrs& crs, const std::optional<Vec2>& centre, c
 #else
 
 namespace talus {
+
+std::optional<std::string> file_in_crs_words(const std::string&) { return std::nullopt; }
 
 std::optional<SurveyCrs> crs_in_words(const std::string&) { return std::nullopt; }
 

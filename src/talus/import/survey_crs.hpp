@@ -12,8 +12,9 @@
 namespace talus {
 
 struct SurveyCrs {
-  std::string wkt;   // WKT 2; empty: not known
-  std::string name;  // for messages, for example "EPSG:31287"
+  std::string wkt;        // WKT 2; empty: not known
+  std::string name;       // for messages, for example "EPSG:31287"
+  bool is_local = false;  // metres that belong to no map; then there is no WKT
   [[nodiscard]] bool is_known() const { return !wkt.empty(); }
 };
 
@@ -25,6 +26,9 @@ struct ProjectCrs {
 
 /// The kind of a file, for the command in a hint that repairs it.
 enum class SurveyKind { text, las, vector };
+
+/// The part of such a text that names a file, for example "+nadgrids=../grid.gsb"; nullopt if there is none.
+[[nodiscard]] std::optional<std::string> file_in_crs_words(const std::string& words);
 
 /// A coordinate system from a text that PROJ understands: "EPSG:31287", "EPSG:31287+5778", well-known text. nullopt if
 /// it is unknown, or if this program was built without GDAL.
