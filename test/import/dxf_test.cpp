@@ -160,6 +160,89 @@ TEST_F(DxfTest, LeavesOutAndReportsEntitiesThatCannotBeRead) {
   EXPECT_EQ(warnings(), warning);
 }
 
+TEST_F(DxfTest, NamesAndCountsKindsThatAreNotRead) {
+  Drawing drawing;
+  drawing.layer("old", 0, -7)
+      .line("0", "0 0 5", "9 0 6")
+      .other("MESH", "ground", "10\n0\n20\n0\n30\n0\n")
+      .other("AECC_TIN_SURFACE", "ground")
+      .other("AECC_TIN_SURFACE", "0")
+      .other("ACAD_PROXY_ENTITY", "0")
+      .other("POLYLINE", "0", "70\n16\n71\n2\n72\n2\n")
+      .other("3DSOLID", "old")
+      .other("REGION", "0", "67\n1\n")
+      .other("VIEWPORT", "0");
+  make(drawing);
+  EXPECT_EQ(read(lines).features.size(), 1U);
+  const std::string hint =
+      "). They are left out; if they are part of the ground, convert them to 3D faces or polylines";
+  EXPECT_EQ(
+      warnings(),
+      "plan.dxf: warning: has entities of kinds that are not read (1 ACAD_PROXY_ENTITY, 2 AECC_TIN_SURFACE, 1 MESH, "
+      "1 polygon mesh" +
+          hint)
+      << "not those in a layout or on a hidden layer";
+  EXPECT_EQ(read_layer("0").features.size(), 1U);
+  EXPECT_EQ(warnings(),
+            "plan.dxf: warning: has entities of kinds that are not read (1 ACAD_PROXY_ENTITY, 1 AECC_TIN_SURFACE, 1 "
+            "polygon mesh" +
+                hint);
+  make(Drawing().other("MESH", "ground"));
+  EXPECT_EQ(refusal(lines),
+            "plan.dxf: layer \"entities\" is empty (it has only entities of kinds that are not read: 1 MESH)");
+}
+
+TEST_F(DxfTest, CountsKindsThatAreNotReadInBlocks) {
+  make(Drawing()
+           .block("BODY", Drawing().other("3DSOLID", "0").other("MESH", "terrain"))
+           .block("NESTED", Drawing().other("INSERT", "0", "2\nBODY\n").other("INSERT", "0", "2\nNESTED\n"))
+           .block("UNUSED", Drawing().other("REGION", "0"))
+           .line("0", "0 0 5", "9 0 6")
+           .other("INSERT", "ground", "2\nNESTED\n10\n0\n20\n0\n"));
+  const DxfContents contents = contents_of_dxf(path("plan.dxf"));
+  ASSERT_EQ(contents.unread.size(), 2U);
+  EXPECT_EQ(contents.unread.at({"ground", "3DSOLID"}).count, 1U) << "on the layer of the INSERT";
+  EXPECT_EQ(contents.unread.at({"terrain", "MESH"}).count, 1U);
+}
+
+TEST_F(DxfTest, RefusesCurvesWithHeights) {
+  VectorRequest heights = lines;
+  heights.heights_are_used = true;
+  const std::string why = "; GDAL reads such curves without their heights). Convert them to 3D polylines";
+  Drawing drawing;
+  drawing.spline("CONT", {"0 0 100", "10 0 90", "30 0 80", "60 0 75"});
+  make(drawing);
+  EXPECT_EQ(refusal(heights),
+            "plan.dxf: has 1 SPLINE with heights on layer \"CONT\" (the first begins at line 25" + why);
+  make(drawing.spline("CONT", {"0 9 100", "10 9 100", "30 9 100", "60 9 100"}));
+  EXPECT_EQ(refusal(heights),
+            "plan.dxf: has 2 SPLINEs with heights on layer \"CONT\" (the first begins at line 25" + why);
+  EXPECT_EQ(read(lines).features.size(), 2U) << "only the plan is used";
+  heights.layer = "ground";
+  make(drawing.line("ground", "0 0 5", "9 0 6"));
+  EXPECT_EQ(read(heights).features.size(), 1U) << "another layer";
+  make(Drawing().block("CURVE", drawing).other("INSERT", "0", "2\nCURVE\n10\n0\n20\n0\n"));
+  EXPECT_THAT(refusal(VectorRequest{.kinds = {ShapeKind::line}, .heights_are_used = true}),
+              HasSubstr("has 2 SPLINEs with heights on layer \"CONT\""));
+}
+
+TEST_F(DxfTest, LeavesOutTextsBesidePoints) {
+  const VectorRequest points{.kinds = {ShapeKind::point}};
+  Drawing drawing;
+  drawing.label("label", "0.7 0.7 0", "12.5").label("label", "9.7 0.7 0", "13.5");
+  make(drawing);
+  EXPECT_EQ(read(points).features.size(), 2U) << "labels alone may be the points";
+  EXPECT_EQ(warnings(), "");
+  make(drawing.point("spot", "0 0 12.5").point("spot", "9 0 13.5").point("spot", "9 9 14.5"));
+  const VectorLayer layer = read(points);
+  ASSERT_EQ(layer.features.size(), 3U);
+  EXPECT_EQ(layer.features[0].parts[0].lists[0][0], Vec3(0, 0, 12.5));
+  EXPECT_EQ(warnings(),
+            "plan.dxf: warning: 2 of 5 entities are texts (their places are those of labels; they are left out)");
+  const VectorLayer with_words = read({.attributes = {"Text"}, .kinds = {ShapeKind::point}});
+  EXPECT_EQ(with_words.features.size(), 5U) << "their words are wanted";
+}
+
 TEST_F(DxfTest, RefusesFilesThatAreCutShort) {
   const std::string text = Drawing().line("0", "0 0 5", "9 0 6").fitted_spline("0", "0 1 5", "9 1 5").text();
   make(text.substr(0, text.find("SPLINE") + 20));
@@ -174,6 +257,13 @@ TEST_F(DxfTest, FacesMayBeVertical) {
   ASSERT_EQ(file.polygons.size(), 2U);
   EXPECT_EQ(file.polygons[0].rings[0], (std::vector<Vec3>{{0, 0, 0}, {9, 0, 0}, {9, 0, 5}, {0, 0, 5}}));
   EXPECT_EQ(file.polygons[1].rings[0].size(), 3U);
+}
+
+TEST_F(DxfTest, ReadsPolyfaceMeshesFaceByFace) {
+  make(Drawing().polyface("0", {"0 0 0", "9 0 0", "9 9 5"}).face("0", {"0 0 0", "9 0 0", "9 9 0"}));
+  const PolygonFile file = read_polygon_file(path("plan.dxf"), "", local_crs(), 0.001, warnings_);
+  ASSERT_EQ(file.polygons.size(), 2U);
+  EXPECT_EQ(file.polygons[0].rings[0], (std::vector<Vec3>{{0, 0, 0}, {9, 0, 0}, {9, 9, 5}}));
 }
 
 TEST_F(DxfTest, WarnsOfFeaturesAtZeroFarBelowTheOthers) {

@@ -81,6 +81,30 @@ TEST_F(SectionFile, ADrawnLineIsASection) {
   EXPECT_THAT(read("slope.dxf"), ElementsAre(Place{0, 30}, Place{10, 12}, Place{40, 5}));
 }
 
+TEST_F(SectionFile, ACurveWithHeightsIsRefused) {
+  Drawing drawing;
+  drawing.unit(6).spline("CONT", {"0 0 100", "10 0 90", "30 0 80", "60 0 75"});
+  write("slope.dxf", drawing.text());
+  EXPECT_EQ(
+      refusal("slope.dxf"),
+      "slope.dxf: has 1 SPLINE with heights on layer \"CONT\" (the first begins at line 29; GDAL reads such curves "
+      "without their heights). Convert them to 3D polylines");
+}
+
+TEST_F(SectionFile, ADrawnCurveIsASection) {
+  for (const char* z : {"0", "7"}) {  // drawn on plan, at any height
+    const std::string at = std::string(" ") + z;
+    const std::string a = "0 30" + at, b = "10 20" + at, c = "30 10" + at, d = "60 5" + at;
+    Drawing drawing;
+    drawing.unit(6).spline("CONT", {a.c_str(), b.c_str(), c.c_str(), d.c_str()});
+    write("slope.dxf", drawing.text());
+    const auto section = read("slope.dxf");
+    EXPECT_EQ(section.front(), (Place{0, 30}));
+    EXPECT_NEAR(section.back()[0], 60, 1e-9);
+    EXPECT_NEAR(section.back()[1], 5, 1e-9);
+  }
+}
+
 TEST_F(SectionFile, ADrawingInAnotherUnitIsRefused) {
   write("slope.dxf", Drawing().unit(2).polyline("GROUND", false, {"0 30", "10 12"}).text());
   EXPECT_THAT(refusal("slope.dxf"), HasSubstr("feet"));

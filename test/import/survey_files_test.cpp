@@ -241,7 +241,132 @@ TEST_F(SurveyFilesTest, RefusesAnEmptyLayerAndImpossibleHeights) {
   lines({{"LINESTRING Z (0 0 5, 1 1 -9999)", ""}}, "EPSG:31287", "other");
   SurveySources from = sources("", "lines.gpkg");
   from.lines_layer = "other";
-  EXPECT_EQ(refusal(from), "lines.gpkg: feature 1 has the height -9999 (heights must be between -9000 and 100000 m)");
+  EXPECT_EQ(refusal(from),
+            "lines.gpkg: feature 1 has the height -9999 at (1, 1) (heights must be between -9000 and 100000 m)");
+}
+
+TEST_F(SurveyFilesTest, WarnsOfVerticesWhoseHeightsAreMissing) {
+  lines({{"LINESTRING Z (400000 300000 276, 400010 300000 276, 400020 300000 0, 400030 300000 276)", ""},
+         {"LINESTRING Z (400000 300010 266, 400010 300010 266, 400020 300010 -999, 400030 300010 266)", ""}});
+  static_cast<void>(read(sources("", "lines.gpkg")));
+  EXPECT_EQ(
+      warnings(),
+      "lines.gpkg: warning: feature 1 has the height 0 at (400020, 300000), and 1 more line has such heights (its "
+      "other vertices lie at 276 m; the height seems to be missing). Give the vertex its height, or remove it");
+  for (const std::string line :
+       {"400000 300000 300, 400010 300000 310, 400020 300000 -999, 400030 300000 320",     // a filler value
+        "400000 300000 300, 400010 300000 310, 400020 300000 9999, 400030 300000 320",     //
+        "400000 300000 300, 400010 300000 310, 400020 300000 320, 400030 300000 -999",     // at the end
+        "400000 300000 276, 400010 300000 276, 400020 300000 27.6, 400030 300000 276"}) {  // a spike
+    std::filesystem::remove(path("lines.gpkg"));
+    lines({{"LINESTRING Z (" + line + ")", ""}, {"LINESTRING Z (400000 300050 280, 400030 300050 290)", ""}});
+    static_cast<void>(read(sources("", "lines.gpkg")));
+    EXPECT_THAT(warnings(), HasSubstr("; the height seems to be missing")) << line;
+  }
+}
+
+TEST_F(SurveyFilesTest, SteepLinesAreNotDoubtful) {
+  for (const std::string line :
+       {"400000 300000 12, 400010 300000 12, 400010.1 300000 0, 400020 300000 0",        // a wall at a datum of 0
+        "400000 300000 100, 400010 300000 90, 400011 300000 50, 400030 300000 0",        // down to the sea
+        "400000 300000 300, 400010 300000 300, 400010.1 300000 340, 400020 300000 340",  // a step
+        "400000 300000 1005, 400010 300000 999, 400020 300000 1001, 400030 300000 998"}) {
+    std::filesystem::remove(path("lines.gpkg"));
+    lines({{"LINESTRING Z (" + line + ")", ""}, {"LINESTRING Z (400000 300050 280, 400030 300050 290)", ""}});
+    static_cast<void>(read(sources("", "lines.gpkg")));
+    EXPECT_EQ(warnings(), "") << line;
+  }
+}
+
+TEST_F(SurveyFilesTest, WarnsOfLinesAndPointsAtFillerValues) {
+  lines({{"LINESTRING Z (400000 300000 276, 400010 300000 270)", ""},
+         {"LINESTRING Z (400000 300010 -999, 400010 300010 -999)", ""}});
+  static_cast<void>(read(sources("", "lines.gpkg")));
+  EXPECT_EQ(
+      warnings(),
+      "lines.gpkg: warning: 1 feature lies at the height -999 (the others lie from 270 to 276 m; feature 2 is the "
+      "first). If it stands for a missing height, remove them");
+  std::filesystem::remove(path("lines.gpkg"));
+  lines({{"LINESTRING Z (400000 300000 100, 400010 300000 100)", ""},
+         {"LINESTRING Z (400000 300010 99, 400010 300010 99)", ""}});
+  static_cast<void>(read(sources("", "lines.gpkg")));
+  EXPECT_EQ(warnings(), "") << "contours of 99 and 100 m";
+  write("p.csv",
+        "x,y,z\n400000,300000,1000\n400100,300000,9999\n400000,300100,1020\n400100,300100,0\n400000,300200,0\n");
+  SurveySources from = sources("p.csv");
+  from.project_crs = project_crs("EPSG:31287");
+  static_cast<void>(read(from));
+  EXPECT_EQ(
+      warnings(),
+      "p.csv: warning: 2 points lie at the height 0 (the others lie from 1000 to 1020 m; the first is at (400100, "
+      "300100)). If it stands for a missing height, remove them\n"
+      "p.csv: warning: 1 point lies at the height 9999 (the others lie from 1000 to 1020 m; the first is at (400100, "
+      "300000)). If it stands for a missing height, remove them");
+}
+
+TEST_F(SurveyFilesTest, LinesWithoutHeightsLieOnThePoints) {
+  write("p.csv", csv);
+  lines({{"LINESTRING (400010 300010, 400090 300010)", ""},
+         {"LINESTRING Z (400000 300050 1015, 400010 300050 1015)", ""}});
+  const SurveyFiles files = read(sources("p.csv", "lines.gpkg"));
+  EXPECT_EQ(files.survey.lines.size(), 1U);
+  ASSERT_EQ(files.soft_lines.size(), 1U);
+  EXPECT_EQ(files.soft_lines[0].name, "feature 1");
+  EXPECT_EQ(without_folder(files.report),
+            "p.csv: 4 points\nlines.gpkg: 2 lines of 4 vertices, of layer \"contours\"; 1 without heights, put on the "
+            "points");
+}
+
+TEST_F(SurveyFilesTest, HintsAtZonesInFrontOfEastings) {
+  const auto points = [](const std::string& x, const std::string& y) {
+    return "x,y,z\n" + x + "000," + y + "000,1000\n" + x + "100," + y + "000,1010\n" + x + "000," + y + "100,1020\n";
+  };
+  write("p.csv", points("32652", "5234"));
+  static_cast<void>(read(sources("p.csv")));
+  EXPECT_EQ(warnings(),
+            "p.csv: warning: has no coordinate system (its coordinates are assumed to be in metres). Set crs = "
+            "\"EPSG:...\", or crs = \"local\". Its eastings seem to begin with the number of a zone, 32: assign the "
+            "coordinate system that has it, such as EPSG:4647, or subtract 32000000");
+  SurveySources from = sources("p.csv");
+  from.project_crs = project_crs("EPSG:25832");
+  EXPECT_EQ(
+      refusal(from),
+      "p.csv: is nowhere on the earth (its centre (32652050, 5234050) has no position in EPSG:25832). Its eastings "
+      "seem to begin with the number of a zone, 32: assign the coordinate system that has it, such as EPSG:4647, or "
+      "subtract 32000000");
+  from.project_crs = project_crs("EPSG:4647");
+  EXPECT_EQ(refusal(from), "was read");
+  write("p.csv", points("3652", "5234"));
+  static_cast<void>(read(sources("p.csv")));
+  EXPECT_THAT(warnings(),
+              HasSubstr("begin with the number of a zone, 3: assign the coordinate system that has it, such as "
+                        "EPSG:31467, or subtract 3000000"));
+  from.project_crs = project_crs("EPSG:25832");
+  EXPECT_THAT(refusal(from), HasSubstr("begin with the number of a zone, 3: "));
+  for (const auto& [x, y] : {std::pair("1757", "5917"), std::pair("2600", "1200"), std::pair("1842", "5174")}) {
+    write("p.csv", points(x, y));
+    static_cast<void>(read(sources("p.csv")));
+    EXPECT_EQ(warnings().find("zone"), std::string::npos) << "New Zealand, Switzerland, France";
+  }
+}
+
+TEST_F(SurveyFilesTest, LocalCoordinateSystemsInMetresAreLocal) {
+  const std::string metres = "LOCAL_CS[\"Site\",UNIT[\"metre\",1],AXIS[\"E\",EAST],AXIS[\"N\",NORTH]]";
+  const std::string feet = "LOCAL_CS[\"Site\",UNIT[\"foot\",0.3048],AXIS[\"E\",EAST],AXIS[\"N\",NORTH]]";
+  const std::vector<WrittenFeature> slope{{"LINESTRING Z (0 0 5, 9 0 6)", ""}, {"LINESTRING Z (0 5 5, 9 5 6)", ""}};
+  lines(slope, metres);
+  for (const ProjectCrs& crs : {ProjectCrs{}, local_crs()}) {
+    SurveySources from = sources("", "lines.gpkg");
+    from.project_crs = crs;
+    EXPECT_EQ(read(from).crs_wkt, "");
+    EXPECT_EQ(warnings(), "") << "neither degrees nor without a coordinate system";
+  }
+  std::filesystem::remove(path("lines.gpkg"));
+  lines(slope, feet);
+  EXPECT_EQ(
+      refusal(sources("", "lines.gpkg")),
+      "lines.gpkg: is not in metres on plan (the unit of Site is foot, 0.3048 m). Multiply its coordinates by that "
+      "number, and assign the result no coordinate system");
 }
 
 TEST_F(SurveyFilesTest, NamesTheKeyThatChoosesTheLayer) {

@@ -197,6 +197,80 @@ TEST_F(VectorFileTest, RefusesDegreesAndFeetWithoutATerrainToTransformTo) {
             "Assign the right one: ogr2ogr -a_srs EPSG:XXXX ground_placed.gpkg ground.gpkg");
 }
 
+TEST_F(VectorFileTest, SurfacesOfFacetsAreTheirFacets) {
+  make({{"TIN Z (((0 0 5, 9 0 6, 9 9 7, 0 0 5)), ((0 0 5, 9 9 7, 0 9 8, 0 0 5)))", "a"},
+        {"POLYHEDRALSURFACE Z (((0 0 5, 9 0 6, 9 9 7, 0 0 5)), ((9 0 0, 9 9 0, 9 9 5, 9 0 5, 9 0 0)))", "b"},
+        {"TRIANGLE Z ((0 0 5, 9 0 6, 9 9 7, 0 0 5))", "c"},
+        {"MULTISURFACE (((0 0, 1 0, 1 1, 0 0)))", "d"}});
+  const VectorLayer layer = read({.kinds = {ShapeKind::polygon}, .polygons_are_in_space = true});
+  ASSERT_EQ(layer.features.size(), 4U);
+  ASSERT_EQ(layer.features[0].parts.size(), 2U);
+  EXPECT_THAT(layer.features[0].parts[1].lists, ElementsAre(ElementsAre(Vec3(0, 0, 5), Vec3(9, 9, 7), Vec3(0, 9, 8))));
+  EXPECT_EQ(layer.features[1].parts.size(), 2U);
+  EXPECT_EQ(layer.features[2].parts.size(), 1U);
+  EXPECT_EQ(layer.features[3].parts.size(), 1U);
+}
+
+TEST_F(VectorFileTest, HeightsThatAreNotUsedNeedNotExist) {
+  const auto nan_at = [&](const std::string& geometry) {
+    make({{geometry, "a"}});
+    const GDALDatasetUniquePtr file(GDALDataset::Open(path("ground.gpkg").c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE));
+    OGRLayer& layer = *file->GetLayer(0);
+    const OGRFeatureUniquePtr feature(layer.GetNextFeature());
+    OGRSimpleCurve& line = wkbFlatten(feature->GetGeometryRef()->getGeometryType()) == wkbPolygon
+                               ? *feature->GetGeometryRef()->toPolygon()->getExteriorRing()
+                               : *feature->GetGeometryRef()->toLineString();
+    line.setZ(1, std::nan(""));
+    ASSERT_EQ(layer.SetFeature(feature.get()), OGRERR_NONE);
+  };
+  nan_at("POLYGON Z ((0 0 5, 9 0 5, 9 9 5, 0 0 5))");
+  EXPECT_THAT(read(polygons).features.at(0).parts.at(0).lists,
+              ElementsAre(ElementsAre(Vec3(0, 0, 5), Vec3(9, 0, 0), Vec3(9, 9, 5))));
+  nan_at("LINESTRING Z (0 0 5, 9 0 5, 9 9 5)");
+  EXPECT_EQ(read().features.size(), 1U);
+  EXPECT_EQ(refusal({.heights_are_used = true}),
+            "ground.gpkg: feature 1 has the coordinates (9, 0, nan) (coordinates must be finite)");
+  make({{"LINESTRING Z (0 0 5, 9 0 -1.7976931348623157e308, 9 9 5)", "a"}});
+  EXPECT_EQ(read().features.size(), 1U);
+  EXPECT_EQ(
+      refusal({.heights_are_used = true}),
+      "ground.gpkg: feature 1 has the height -1.797693135e+308 at (9, 0) (heights must be between -9000 and 100000 m)");
+}
+
+TEST_F(VectorFileTest, NumbersAreAsShortAsPossible) {
+  {
+    const GdalMessages gdal(GdalFiles::in_folder(path("")));
+    const GDALDatasetUniquePtr file(GetGDALDriverManager()
+                                        ->GetDriverByName("ESRI Shapefile")
+                                        ->Create(path("areas.shp").c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    ASSERT_TRUE(file);
+    OGRLayer& layer = *file->CreateLayer("areas", nullptr, wkbPoint, nullptr);
+    OGRFieldDefn real("class", OFTReal), text("code", OFTString);
+    real.SetWidth(10);
+    real.SetPrecision(3);
+    ASSERT_EQ(layer.CreateField(&real), OGRERR_NONE);
+    ASSERT_EQ(layer.CreateField(&text), OGRERR_NONE);
+    for (const double value : {2.0, 2.5}) {
+      const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(layer.GetLayerDefn()));
+      feature->SetField("class", value);
+      feature->SetField("code", "2.000");
+      OGRPoint place(1, 2);
+      feature->SetGeometry(&place);
+      ASSERT_EQ(layer.CreateFeature(feature.get()), OGRERR_NONE);
+    }
+  }
+  const VectorLayer layer = read({.attributes = {"class", "code"}}, "areas.shp");
+  EXPECT_THAT(layer.features.at(0).values, ElementsAre(Value("2"), Value("2.000")));
+  EXPECT_THAT(layer.features.at(1).values, ElementsAre(Value("2.5"), Value("2.000")));
+  EXPECT_THAT(layer.are_numbers, ElementsAre(true, false));
+}
+
+TEST_F(VectorFileTest, TheProjectionOfCompoundSystemsKeepsHeights) {
+  make({{"POINT Z (15 47 300)", "a"}}, "EPSG:4326+5773");
+  EXPECT_THAT(refusal(),
+              HasSubstr("Project it: ogr2ogr -s_srs EPSG:4326 -t_srs EPSG:XXXX ground_metres.gpkg ground.gpkg"));
+}
+
 TEST_F(VectorFileTest, RefusesPolygonsThatCrossThemselvesWithTheirPlace) {
   make({{"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))", "a"}, {"POLYGON ((0 0, 10 10, 10 0, 0 10, 0 0))", "b"}});
   EXPECT_EQ(
@@ -270,6 +344,31 @@ TEST_F(VectorFileTest, StopsReadingAnEndlessView) {
       (void)read_vector_file(file, {.layer = "v", .attributes = {}, .kinds = {}, .terrain_crs_wkt = {}}, warnings),
       Stopped);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::minutes(1));
+}
+
+TEST_F(VectorFileTest, RefusesViewsThatDoNotEnd) {
+  const std::string counting = "WITH RECURSIVE c(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM c) ";
+  for (const std::string& view :
+       {counting + "SELECT i AS fid, i AS name, (SELECT geom FROM places) AS geom FROM c WHERE i < 0",  // no row
+        counting + "SELECT i AS fid, i AS name, (SELECT geom FROM places) AS geom FROM c"}) {           // endless rows
+    const std::string file = path("views.gpkg").string();
+    std::filesystem::remove(file);
+    add_layer(file, "places", "EPSG:31287", "name", {{"POINT (1 2)", "a"}});
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(file.c_str(), &database), SQLITE_OK);
+    const std::string sql =
+        "CREATE VIEW v AS " + view +
+        ";INSERT INTO gpkg_contents (table_name, identifier, data_type, srs_id) VALUES ('v', 'v', 'features', 31287);"
+        "INSERT INTO gpkg_geometry_columns VALUES ('v', 'geom', 'POINT', 31287, 0, 0);";
+    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK) << sqlite3_errmsg(database);
+    sqlite3_close(database);
+    const std::string refused =
+        "views.gpkg: has a view that does not end (its query took more steps than a file of this size can need). Copy "
+        "the "
+        "features that you need to a table of their own";
+    EXPECT_EQ(refusal({.layer = "v"}, "views.gpkg"), refused);
+    EXPECT_EQ(refusal({.layer = "v", .within = std::array{Vec2(0, 0), Vec2(5, 5)}}, "views.gpkg"), refused);
+  }
 }
 
 }  // namespace

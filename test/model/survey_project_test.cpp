@@ -162,6 +162,29 @@ std::string published_bowl(std::string_view without) {
   return text;
 }
 
+#ifdef TALUS_HAS_GDAL
+TEST_F(SurveyProject, LinesWithoutHeightsLieOnThePoints) {
+  write("p.csv", plane_of_points());
+  testing_tools::add_layer(path("soft.gpkg"), "soft", "", "name",
+                           {{"LINESTRING (12 13, 150 81)", "a"}, {"LINESTRING (20 90, 60 15, 100 90)", "b"}});
+  const std::string terrain = "[terrain]\npoints = \"p.csv\"\nlines = \"soft.gpkg\"\ncrs = \"local\"\n";
+  const Model draped = model(terrain + tables_after_terrain);
+  EXPECT_EQ(warnings_.text(), "");
+  const auto& surface = std::get<TriangleMesh>(*draped.surface);
+  for (const Vec2& at : {Vec2(12, 13), Vec2(81, 47), Vec2(60, 15), Vec2(150, 81), Vec2(7, 93)}) {
+    const Vec3 local = draped.frame.local_from_global(Vec3(at.x(), at.y(), 0));
+    ASSERT_TRUE(surface.elevation(local.x(), local.y()));
+    EXPECT_NEAR(*surface.elevation(local.x(), local.y()) + draped.frame.origin.z(), 1500 - at.x() / 2, 1e-6);
+  }
+  std::filesystem::remove(path("soft.gpkg"));
+  testing_tools::add_layer(path("soft.gpkg"), "soft", "", "name", {{"LINESTRING (12 13, 250 81)", "a"}});
+  EXPECT_EQ(
+      refusal(terrain + tables_after_terrain),
+      "p.csv: feature 1 of the lines has no heights (it reaches beyond the points at (250, 81)). Cut it to the area of "
+      "the points, or give it heights");
+}
+#endif
+
 TEST_F(SurveyProject, TheManualsBowlFromItsPolylines) {
   const Model published = model(published_bowl("#"));
   std::string text = published_bowl("vertices");

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <map>
 #include <string_view>
 #include <vector>
 
@@ -56,8 +57,41 @@ DxfEntities::DxfEntities(OGRLayer& all, const VectorRequest& request, RasterProb
       wanted_(request.layer == all.GetName() ? "" : request.layer),
       layer_key_(request.layer_key),
       layer_column_(all.GetLayerDefn()->GetFieldIndex("Layer")),
-      paper_column_(all.GetLayerDefn()->GetFieldIndex("PaperSpace")) {
+      paper_column_(all.GetLayerDefn()->GetFieldIndex("PaperSpace")),
+      contents_(contents_of_dxf(problems.file())) {
   check_unit(problems);
+  if (request.heights_are_used) refuse_curves(request);
+}
+
+bool DxfEntities::is_wanted(const std::string& layer) const {
+  return wanted_.empty() ? !contents_.hidden_layers.contains(layer) : layer == wanted_;
+}
+
+void DxfEntities::refuse_curves(const VectorRequest& request) {
+  for (const auto& [place, curves] : contents_.curves) {
+    const auto& [layer, kind] = place;
+    if (!is_wanted(layer) || !(request.level_lines_are_drawn ? curves.is_uneven : curves.has_heights)) continue;
+    problems_.refuse(
+        fmt::format("has {} {}{} with heights on layer \"{}\"", curves.count, kind, curves.count == 1 ? "" : "s",
+                    layer),
+        fmt::format("the first begins at line {}; GDAL reads such curves without their heights", curves.line),
+        "Convert them to 3D polylines");
+  }
+}
+
+bool DxfEntities::is_text(const OGRFeature& entity) {
+  const char* style = entity.GetStyleString();
+  return style && std::string_view(style).starts_with("LABEL(");
+}
+
+std::string DxfEntities::unread_kinds() const {
+  std::map<std::string, std::uint64_t> counts;
+  for (const auto& [place, found] : contents_.unread) {
+    if (is_wanted(place.first)) counts[place.second] += found.count;
+  }
+  std::string words;
+  for (const auto& [kind, count] : counts) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, kind);
+  return words;
 }
 
 bool DxfEntities::accepts(OGRFeature& entity) {
@@ -100,6 +134,14 @@ void DxfEntities::report() {
     problems_.warn(entities(hidden_) + " on a layer that is switched off or frozen",
                    fmt::format("layers left out: {}", listed(names)),
                    fmt::format("To read such a layer, name it: {} = \"{}\"", layer_key_, names.front()));
+  }
+  if (texts_ > 0) {
+    problems_.warn(entities(texts_) + (texts_ == 1 ? " a text" : " texts"),
+                   "their places are those of labels; they are left out");
+  }
+  if (const std::string kinds = unread_kinds(); !kinds.empty()) {
+    problems_.warn("has entities of kinds that are not read", kinds,
+                   "They are left out; if they are part of the ground, convert them to 3D faces or polylines");
   }
   if (!unreadable_.empty()) {
     problems_.warn("has entities that GDAL cannot read", unreadable_entity(problems_.file(), unreadable_),

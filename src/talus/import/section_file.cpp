@@ -54,6 +54,7 @@ SectionVertices section_of_line(const SectionSource& source, Problems& warnings)
   request.layer_key = "section_layer";
   request.kinds = {ShapeKind::line};
   request.heights_are_used = true;
+  request.level_lines_are_drawn = true;
   const VectorLayer layer = read_vector_file(source.file, request, warnings);
   std::size_t parts = 0;
   for (const VectorFeature& feature : layer.features) parts += feature.parts.size();

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <string_view>
 
 #include "talus/files/file_formats.hpp"
 #include "talus/files/first_problems.hpp"
 #include "talus/files/mesh_problems.hpp"
+#include "talus/gdal/zone_in_easting.hpp"
+#include "talus/import/filler_values.hpp"
 #include "talus/import/las_file.hpp"
 #include "talus/import/mesh_text.hpp"
 #include "talus/import/point_file.hpp"
@@ -51,29 +54,34 @@ class CommonCrs {
 
   // Adds a file whose coordinates stay as they are.
   void add_unchanged(const SurveyCrs& of_file, const std::filesystem::path& file) {
-    if (!of_file.is_known()) return;
-    refuse_local(of_file, file);
-    if (crs_.is_known() && !have_same_plan(crs_, of_file)) {
+    is_local_ = is_local_ || of_file.is_local;
+    if (!of_file.is_known() && !of_file.is_local) return;
+    if (of_file.is_known()) refuse_local(of_file, file);
+    if (crs_.is_known() && (of_file.is_local || !have_same_plan(crs_, of_file))) {
       throw BadInput(problem(file, fmt::format("is in {}", of_file.name), fmt::format("crs is {}", crs_.name),
                              "Remove crs, or transform the file to it"));
     }
-    use(of_file);
+    if (of_file.is_known()) use(of_file);
   }
 
   // Adds a vector file, whose features were transformed to the target.
   void add_transformed(const VectorLayer& layer, const std::filesystem::path& file) {
-    const SurveyCrs of_file{layer.crs_wkt, layer.crs_name};
+    const SurveyCrs of_file{.wkt = layer.crs_wkt, .name = layer.crs_name};
+    is_local_ = is_local_ || layer.crs_is_local;
     if (!of_file.is_known()) return;
     refuse_local(of_file, file);
     if (!crs_.is_known()) use(of_file);
   }
 
-  [[nodiscard]] bool is_local() const { return project_crs_.is_local; }
+  /// Whether the project or a file says that the coordinates are metres that belong to no map.
+  [[nodiscard]] bool is_local() const { return project_crs_.is_local || is_local_; }
 
  private:
   void refuse_local(const SurveyCrs& of_file, const std::filesystem::path& file) const {
-    if (!project_crs_.is_local) return;
-    throw BadInput(problem(file, fmt::format("is in {}", of_file.name), "crs is \"local\"", "Remove crs"));
+    if (!is_local()) return;
+    throw BadInput(problem(file, fmt::format("is in {}", of_file.name),
+                           project_crs_.is_local ? "crs is \"local\"" : "the points have a local coordinate system",
+                           project_crs_.is_local ? "Remove crs" : "Give both the same"));
   }
   void use(const SurveyCrs& crs) {
     if (!project_crs_.crs.is_known()) crs_ = crs;
@@ -81,14 +89,16 @@ class CommonCrs {
 
   const ProjectCrs& project_crs_;
   SurveyCrs crs_;
+  bool is_local_ = false;
 };
 
 // ---- heights of features ----
 
 class Heights {
  public:
-  Heights(const std::filesystem::path& file, std::string attribute)
-      : file_(file), attribute_(std::move(attribute)), problems_(file.string(), "features") {}
+  // `may_lack`: whether features without heights are accepted as they are.
+  Heights(const std::filesystem::path& file, std::string attribute, bool may_lack)
+      : file_(file), attribute_(std::move(attribute)), may_lack_(may_lack), problems_(file.string(), "features") {}
 
   [[nodiscard]] std::vector<std::string> attributes() const {
     return attribute_.empty() ? std::vector<std::string>{} : std::vector<std::string>{attribute_};
@@ -108,7 +118,13 @@ class Heights {
         return refuse(fmt::format("{} has the {} {}", name, attribute_, in_quotes(*value)),
                       "a height is a number of metres");
       }
+      if (number < lowest_elevation_m || number > highest_elevation_m) {
+        return refuse(fmt::format("{} has the height {:.10g}", name, number),
+                      fmt::format("heights must be between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m));
+      }
       height = number;
+    } else if (!feature.has_z && may_lack_) {
+      return true;
     } else if (!feature.has_z) {
       return refuse(name + " has no heights", "its geometry has only x and y",
                     "Name the attribute with the heights: elevation_attribute = \"...\"");
@@ -118,18 +134,14 @@ class Heights {
       for (auto& list : part.lists) {
         for (Vec3& p : list) {
           if (height) p.z() = *height;
-          if (p.z() < lowest_elevation_m || p.z() > highest_elevation_m) {
-            return refuse(
-                fmt::format("{} has the height {:.10g}", name, p.z()),
-                fmt::format("heights must be between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m));
-          }
           low = std::min(low, p.z());
           high = std::max(high, p.z());
         }
       }
     }
-    if (low == 0 && high == 0) {
-      if (++at_zero_ == 1) first_at_zero_ = name;
+    if (low == high && may_be_filler(low)) {
+      Level& level = fillers_[low];
+      if (++level.features == 1) level.first = name;
     } else {
       low_ = std::min(low_, low);
       high_ = std::max(high_, high);
@@ -138,9 +150,18 @@ class Heights {
   }
 
   // Reports errors, and heights that seem not to have been filled in, of all features or of some.
-  void finish(bool others_have_heights, const std::string& layer_key, Problems& warnings) const {
+  void finish(bool others_have_heights, const std::string& layer_key, Problems& warnings) {
     problems_.throw_if_any();
-    if (low_ <= high_) return warn_of_some(layer_key, warnings);
+    const auto take_all = [&](const auto& is_taken) {
+      for (const auto& [height, level] : fillers_) {
+        if (!is_taken(height)) continue;
+        low_ = std::min(low_, height);
+        high_ = std::max(high_, height);
+      }
+    };
+    // Without others they are the heights.
+    if (low_ > high_) take_all([](double height) { return height != 0; });
+    if (low_ <= high_ || fillers_.empty()) return warn_of_some(layer_key, warnings);
     Problem flat = problem(file_, "has only heights of 0", "every vertex is at 0",
                            "If an attribute has the heights, name it: elevation_attribute = \"...\"");
     if (!others_have_heights) throw BadInput(flat);
@@ -149,15 +170,28 @@ class Heights {
   }
 
  private:
+  struct Level {
+    std::size_t features = 0;
+    std::string first;
+  };
+
+  // A frame at 0 may be part of a drawing; other fillers must be far away.
   void warn_of_some(const std::string& layer_key, Problems& warnings) const {
-    if (at_zero_ == 0 || (low_ <= 0 && high_ >= 0)) return;
-    Problem some =
-        problem(file_, fmt::format("{} {} at the height 0", at_zero_, at_zero_ == 1 ? "feature lies" : "features lie"),
-                fmt::format("the others lie from {:.10g} to {:.10g} m; {} is the first", low_, high_, first_at_zero_),
-                fmt::format("To leave out a frame or plan next to the ground, name the ground's layer: {} = \"...\"",
-                            layer_key));
-    some.severity = Severity::warning;
-    warnings.add(some);
+    for (const auto& [height, level] : fillers_) {
+      const bool is_among_others = low_ <= height && high_ >= height;
+      if (is_among_others || (height != 0 && !is_far_from(height, low_, high_))) continue;
+      Problem some = problem(
+          file_,
+          fmt::format("{} at the height {:.10g}",
+                      level.features == 1 ? "1 feature lies" : fmt::format("{} features lie", level.features), height),
+          fmt::format("the others lie from {:.10g} to {:.10g} m; {} is the first", low_, high_, level.first),
+          height == 0
+              ? fmt::format("To leave out a frame or plan next to the ground, name the ground's layer: {} = \"...\"",
+                            layer_key)
+              : "If it stands for a missing height, remove them");
+      some.severity = Severity::warning;
+      warnings.add(some);
+    }
   }
 
   bool refuse(std::string what, std::string why, std::string hint = "") {
@@ -167,9 +201,9 @@ class Heights {
 
   const std::filesystem::path& file_;
   std::string attribute_;
+  bool may_lack_;
   FirstProblems problems_;
-  std::size_t at_zero_ = 0;  // features
-  std::string first_at_zero_;
+  std::map<double, Level> fillers_;  // features all of whose vertices are at 0, or at another filler value
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;  // of the others
 };
 
@@ -183,14 +217,15 @@ bool names_feet(std::string_view attribute) {
   return std::find(feet.begin(), feet.end(), std::string_view(begin, end)) != feet.end();
 }
 
+// `points_have_heights`: features without heights can be put on points that have them.
 VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest request, const std::string& attribute,
-                              bool others_have_heights, CommonCrs& crs, Problems& warnings) {
+                              bool others_have_heights, bool points_have_heights, CommonCrs& crs, Problems& warnings) {
   if (names_feet(attribute)) {
     throw BadInput(problem(path, fmt::format("attribute {} is in feet", in_quotes(attribute)),
                            "Talus needs heights in metres",
                            "Convert it to metres: a foot is 0.3048 m, a US survey foot 1200/3937 m"));
   }
-  Heights heights(path, attribute);
+  Heights heights(path, attribute, points_have_heights);
   request.attributes = heights.attributes();
   request.heights_are_used = attribute.empty();
   request.terrain_crs_wkt = crs.wanted();
@@ -237,14 +272,27 @@ class SurveyReader {
       request.layer = sources_.points_layer;
       request.layer_key = "points_layer";
       request.kinds = {ShapeKind::point};
-      const VectorLayer layer =
-          read_with_heights(file, request, sources_.elevation_attribute, !sources_.lines.empty(), crs_, warnings_);
+      const VectorLayer layer = read_with_heights(file, request, sources_.elevation_attribute, !sources_.lines.empty(),
+                                                  false, crs_, warnings_);
       for (const VectorFeature& feature : layer.features) {
         for (const VectorShape& part : feature.parts) files_.survey.points.push_back(part.lists.front().front());
       }
       report(file, fmt::format("{} points of layer \"{}\"", files_.survey.points.size(), layer.name));
     }
     for (const Vec3& p : files_.survey.points) points_box_.grow(p);
+    for (const DoubtfulHeight& doubt : doubtful_heights(files_.survey.points)) {
+      if (doubt.height == 0 && kind_ == SurveyKind::vector) continue;  // reported with the features
+      const Vec3& first = files_.survey.points[doubt.first];
+      Problem warning = problem(
+          file,
+          fmt::format("{} at the height {:.10g}",
+                      doubt.count == 1 ? "1 point lies" : fmt::format("{} points lie", doubt.count), doubt.height),
+          fmt::format("the others lie from {:.10g} to {:.10g} m; the first is at ({:.10g}, {:.10g})", doubt.low,
+                      doubt.high, first.x(), first.y()),
+          "If it stands for a missing height, remove them");
+      warning.severity = Severity::warning;
+      warnings_.add(std::move(warning));
+    }
   }
 
   void read_las() {
@@ -276,8 +324,8 @@ class SurveyReader {
     request.layer = sources_.lines_layer;
     request.layer_key = "lines_layer";
     request.kinds = {ShapeKind::line, ShapeKind::polygon};
-    VectorLayer layer =
-        read_with_heights(file, request, sources_.elevation_attribute, !sources_.points.empty(), crs_, warnings_);
+    VectorLayer layer = read_with_heights(file, request, sources_.elevation_attribute, !sources_.points.empty(),
+                                          !sources_.points.empty(), crs_, warnings_);
     if (sources_.points.empty()) kind_ = SurveyKind::vector;
     if (points_have_no_crs && crs_.get().is_known()) {
       Problem warning =
@@ -294,12 +342,19 @@ class SurveyReader {
           if (part.kind == ShapeKind::polygon) list.push_back(list.front());
           for (const Vec3& p : list) lines_box_.grow(p);
           vertices += list.size();
-          files_.survey.lines.push_back(std::move(list));
+          const bool is_soft = !feature.has_z && sources_.elevation_attribute.empty();
+          if (is_soft) {
+            files_.soft_lines.push_back({fmt::format("feature {}", feature.id), std::move(list)});
+          } else {
+            files_.survey.lines.push_back(std::move(list));
+          }
         }
       }
     }
+    const std::size_t soft = files_.soft_lines.size();
     report(file,
-           fmt::format("{} lines of {} vertices, of layer \"{}\"", files_.survey.lines.size(), vertices, layer.name));
+           fmt::format("{} lines of {} vertices, of layer \"{}\"{}", files_.survey.lines.size() + soft, vertices,
+                       layer.name, soft == 0 ? "" : fmt::format("; {} without heights, put on the points", soft)));
     if (sources_.points.empty() || !points_box_.is_apart_from(lines_box_)) return;
     throw BadInput(problem(
         file, "does not overlap the points",
@@ -357,9 +412,20 @@ class SurveyReader {
                              "Project it to metres; or, if it is in metres, set crs = \"local\""));
     }
     Problem warning = problem(file, "has no coordinate system", "its coordinates are assumed to be in metres",
-                              "Set crs = \"EPSG:...\", or crs = \"local\"");
+                              "Set crs = \"EPSG:...\", or crs = \"local\"" + hint_for_zone(box));
     warning.severity = Severity::warning;
     warnings_.add(std::move(warning));
+  }
+
+  // Eastings with the number of a zone in front are those of Germany's Gauss-Krueger zones, and of others far to the
+  // east; national grids without zones have some as well, but not there.
+  [[nodiscard]] static std::string hint_for_zone(const PlanBox& box) {
+    const Vec2 centre = 0.5 * (box.low + box.high);
+    const auto zone = zone_in_easting(centre.x());
+    constexpr double southernmost = 4.5e6, northernmost = 9.5e6;
+    if (!zone || !((*zone >= 2 && *zone <= 5) || *zone >= 28) || centre.y() < southernmost || centre.y() > northernmost)
+      return "";
+    return fmt::format(". Its eastings seem to begin with the number of a zone, {}: {}", *zone, way_out_of_zone(*zone));
   }
 
   const SurveySources& sources_;
@@ -384,7 +450,7 @@ PolygonFile read_polygon_file(const std::filesystem::path& path, const std::stri
   request.layer_key = "polygons_layer";
   request.kinds = {ShapeKind::line, ShapeKind::polygon};
   request.polygons_are_in_space = true;
-  VectorLayer layer = read_with_heights(path, request, "", false, crs, warnings);
+  VectorLayer layer = read_with_heights(path, request, "", false, false, crs, warnings);
   PolygonFile file;
   FirstProblems problems(path.string(), "features");
   PlanBox box;

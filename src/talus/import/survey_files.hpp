@@ -26,8 +26,15 @@ struct SurveySources {
   ProjectCrs project_crs;
 };
 
+/// A line without heights, which lies on the surface of the points.
+struct SoftLine {
+  std::string name;  // for messages: "feature 3"
+  std::vector<Vec3> vertices;
+};
+
 struct SurveyFiles {
   Survey survey;
+  std::vector<SoftLine> soft_lines;
   std::vector<PlanPolygon> boundary;
   std::string crs_wkt;  // of the terrain; empty: not known
   std::string report;   // what was read from each file, one line each

@@ -140,16 +140,49 @@ std::optional<OGREnvelope> rectangle_in_file(const VectorRequest& request, const
                                                                : "Is its coordinate system the right one?");
 }
 
+/// A real number without the zeros that fill the width of a column, as in a DBF.
+std::string text_of(OGRFeature& feature, int column) {
+  const OGRFieldDefn& field = *feature.GetFieldDefnRef(column);
+  if (field.GetType() != OFTReal) return feature.GetFieldAsString(column);
+  const double value = feature.GetFieldAsDouble(column);
+  return field.GetSubType() == OFSTFloat32 ? fmt::format("{}", static_cast<float>(value)) : fmt::format("{}", value);
+}
+
+/// A point in a drawing may have a label beside it. A drawing of labels alone is read: their heights may be the
+/// ground's.
+void leave_out_texts(const std::vector<bool>& are_texts, DxfEntities& entities, VectorLayer& read) {
+  const auto texts = std::ranges::count(are_texts, true);
+  if (texts == 0 || texts == std::ssize(are_texts)) return;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < are_texts.size(); ++k) {
+    if (are_texts[k]) continue;
+    if (kept != k) read.features[kept] = std::move(read.features[k]);
+    ++kept;
+  }
+  read.features.resize(kept);
+  entities.note_texts(static_cast<std::uint64_t>(texts));
+}
+
 /// `entities` is null if the file is not a DXF.
 void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities* entities, VectorShapes& shapes,
                    VectorLayer& read, GdalMessages& messages, RasterProblems& problems) {
   messages.clear();
+  for (const int column : columns) {
+    const OGRFieldType type = column < 0 ? OFTString : layer.GetLayerDefn()->GetFieldDefn(column)->GetType();
+    read.are_numbers.push_back(type == OFTReal || type == OFTInteger || type == OFTInteger64);
+  }
   std::uint64_t seen = 0, without_geometry = 0, not_utf8 = 0;
+  std::vector<bool> are_texts;  // of the features of a drawing
+  const bool reads_texts =
+      entities && std::ranges::find(columns, layer.GetLayerDefn()->GetFieldIndex("Text")) != columns.end();
   layer.ResetReading();
   for (;; ++seen) {
     stop_point(seen);
     const OGRFeatureUniquePtr from(layer.GetNextFeature());
-    if (!from) stop_point();  // an interrupted query looks like the end of the layer
+    if (!from) {  // an interrupted query looks like the end of the layer
+      stop_point();
+      expect_end_of_queries(messages, problems);
+    }
     if (messages.has_failure() && entities && (from || is_whole_dxf(problems.file()))) {
       entities->note_unreadable(messages.failure());
       messages.clear();
@@ -172,7 +205,7 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
     if (feature.parts.empty()) continue;
     for (const int column : columns) {
       const bool has_value = from->IsFieldSetAndNotNull(column);
-      feature.values.push_back(has_value ? std::optional<std::string>(from->GetFieldAsString(column)) : std::nullopt);
+      feature.values.push_back(has_value ? std::optional(text_of(*from, column)) : std::nullopt);
       if (has_value && !CPLIsUTF8(feature.values.back()->c_str(), -1) && ++not_utf8 == 1) {
         problems.refuse(fmt::format("feature {} has the {} {}", feature.id, from->GetFieldDefnRef(column)->GetNameRef(),
                                     in_quotes(*feature.values.back())),
@@ -181,7 +214,9 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
       }
     }
     read.features.push_back(std::move(feature));
+    if (entities && !reads_texts) are_texts.push_back(DxfEntities::is_text(*from));
   }
+  if (entities) leave_out_texts(are_texts, *entities, read);
   shapes.report();
   if (entities) entities->report();
   problems.throw_if_any();
@@ -190,6 +225,8 @@ void read_features(OGRLayer& layer, const std::vector<int>& columns, DxfEntities
     problems.stop(fmt::format("layer \"{}\" is empty", read.name),
                   entities && entities->left_out() > 0 && seen == 0
                       ? std::string("all entities are in a layout or on hidden layers")
+                  : seen == 0 && entities && !entities->unread_kinds().empty()
+                      ? fmt::format("it has only entities of kinds that are not read: {}", entities->unread_kinds())
                   : seen == 0                ? std::string("it has no features")
                   : without_geometry == seen ? fmt::format("none of its {} features has a geometry", seen)
                                              : fmt::format("none of its {} features is of a kind that is read", seen));
@@ -213,9 +250,20 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
   read.name = entities && !entities->layer().empty() ? entities->layer() : layer.GetName();
   const std::vector<int> columns = columns_of(layer, request, problems);
   check_size(layer, problems);
+  expect_end_of_queries(messages, problems);
   const OGRSpatialReference* crs = layer.GetSpatialRef();
   // GeoPackages name an absent one "Undefined Cartesian SRS" or "Undefined geographic SRS".
   if (crs && (crs->IsEmpty() || std::string_view(crs->GetName()).starts_with("Undefined "))) crs = nullptr;
+  if (crs) {
+    const std::string assign = ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg");
+    refuse_files_in_crs(*crs, problems, "Assign one without it: " + assign);
+    read.crs_is_local = is_local(*crs) && request.terrain_crs_wkt.empty();
+    if (read.crs_is_local) {
+      check_terrain_crs(*crs, std::nullopt, problems, {[&](const std::string&) { return assign; }, assign});
+      crs = nullptr;
+    }
+    problems.throw_if_any();
+  }
   if (crs) {
     read.crs_wkt = wkt_of(*crs);
     read.crs_name = name_of(*crs);
@@ -227,7 +275,9 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
     const auto rectangle = rectangle_in_file(request, crs);
     if (rectangle) layer.SetSpatialFilterRect(rectangle->MinX, rectangle->MinY, rectangle->MaxX, rectangle->MaxY);
     layer.ResetReading();
-    if (!rectangle || !OGRFeatureUniquePtr(layer.GetNextFeature())) {
+    const bool has_some = rectangle && OGRFeatureUniquePtr(layer.GetNextFeature());
+    expect_end_of_queries(messages, problems);
+    if (!has_some) {
       layer.SetSpatialFilter(nullptr);
       layer.ResetReading();
       // An empty layer is refused below.

@@ -41,6 +41,8 @@ struct VectorRequest {
   bool polygons_are_in_space = false;
   /// Whether z is used. If the file declares its heights, they must be metres upwards.
   bool heights_are_used = false;
+  /// Whether a line all of whose heights are the same counts as one without heights, drawn on plan.
+  bool level_lines_are_drawn = false;
   /// The coordinate system of the terrain as WKT; empty: not known. Features are transformed to it vertex by vertex (z
   /// is kept). If it or that of the file is not known, both are assumed to be the same.
   std::string terrain_crs_wkt;
@@ -55,16 +57,19 @@ struct VectorLayer {
   std::string name;
   std::string crs_wkt;                  // of the file; empty: it has none
   std::string crs_name;                 // for messages, for example "EPSG:31287"
+  bool crs_is_local = false;            // it has metres that belong to no map, and nor has the terrain others
   std::vector<VectorFeature> features;  // one or more, in the order of the file
+  std::vector<bool> are_numbers;        // for each requested attribute: numbers, written as short as possible
 };
 
-/// Curves become chords, collections several parts. Of a DXF, which mixes kinds, other kinds are left out, closed lines
-/// are polygons if only polygons are requested, and only the model is read, not layouts or hidden layers.
-/// Throws BadInput with all errors: no such file, layer or attribute; an empty layer; degrees or feet, if the terrain's
-/// coordinate system is not known; a DXF in another unit than metres; kinds that were not requested; polygons that
-/// cross themselves on plan; coordinates that are not finite or cannot be transformed; heights in another unit;
-/// attributes that are not UTF-8; too many features or vertices; and if the program was built without GDAL. Doubts are
-/// added to `warnings`.
+/// Curves become chords, collections and surfaces of facets (TIN) several parts. Of a DXF, which mixes kinds, other
+/// kinds are left out, closed lines are polygons if only polygons are requested, and only the model is read, not
+/// layouts or hidden layers, nor texts beside points. Throws BadInput with all errors: no such file, layer or
+/// attribute; an empty layer; degrees or feet, if the terrain's coordinate system is not known; a DXF in another unit
+/// than metres; kinds that were not requested; polygons that cross themselves on plan; coordinates that are not finite
+/// or cannot be transformed; heights, if they are used, in another unit, of no ground, or of curves in a DXF;
+/// coordinate systems that name files; attributes that are not UTF-8; too many features or vertices; and if the program
+/// was built without GDAL. Doubts are added to `warnings`.
 [[nodiscard]] VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequest& request,
                                            Problems& warnings);
 

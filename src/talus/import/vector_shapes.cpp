@@ -7,6 +7,10 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+
+#include "talus/import/filler_values.hpp"
+#include "talus/import/raster_file.hpp"
 
 namespace talus {
 
@@ -95,18 +99,24 @@ VectorShapes::VectorShapes(const VectorRequest& request, const OGRSpatialReferen
     crs_name_ = name_of(*crs);
     if (request.heights_are_used) height_fault_ = fault_of_heights(*crs);
   }
+  const auto project = [&](const OGRSpatialReference& from) {
+    const std::string keeping = option_to_keep_heights(from);
+    return ogr2ogr(
+        fmt::format("{}{}-t_srs EPSG:XXXX", keeping.substr(keeping.empty() ? 0 : 1), keeping.empty() ? "" : " "),
+        problems.file(), "_metres.gpkg");
+  };
   if (!request.terrain_crs_wkt.empty()) {
     find_transformation(crs);
   } else if (is_geographic_) {
     problems.refuse(
         "is in degrees",
         fmt::format("{} is a geographic coordinate system, and that of the terrain is not known", crs_name_),
-        "Project it: " + ogr2ogr("-t_srs EPSG:XXXX", problems.file(), "_metres.gpkg"));
+        "Project it: " + project(*crs));
   } else if (const char* unit = nullptr; crs && std::abs(crs->GetLinearUnits(&unit) - 1) > 1e-9) {
     problems.refuse("is not in metres",
                     fmt::format("the unit of {} is {}, and the coordinate system of the terrain is not known",
                                 crs_name_, unit && *unit ? unit : "an unnamed unit"),
-                    "Project it: " + ogr2ogr("-t_srs EPSG:XXXX", problems.file(), "_metres.gpkg"));
+                    "Project it: " + project(*crs));
   }
 }
 
@@ -136,7 +146,7 @@ void VectorShapes::find_transformation(const OGRSpatialReference* crs) {
 void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
   if (geometry.IsEmpty()) return;
   has_heights_ = has_heights_ || feature.has_z;
-  if (geometry.hasCurveGeometry(TRUE)) {
+  if (geometry.hasCurveGeometry()) {
     const std::unique_ptr<OGRGeometry> chords(geometry.getLinearGeometry());
     if (chords) return add(*chords, feature);
   }
@@ -149,6 +159,10 @@ void VectorShapes::add(const OGRGeometry& geometry, VectorFeature& feature) {
     case wkbMultiPolygon:
       if (!accepts(ShapeKind::polygon, feature) || !is_valid(geometry, feature)) return;
       for (const OGRPolygon* part : *geometry.toMultiPolygon()) add_polygon(*part, feature);
+      return;
+    case wkbTIN:
+    case wkbPolyhedralSurface:
+      for (const OGRPolygon* part : *geometry.toPolyhedralSurface()) add(*part, feature);
       return;
     case wkbMultiPoint:
     case wkbMultiLineString:
@@ -236,10 +250,15 @@ std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line,
     const int number = static_cast<int>(i);
     x[i] = line.getX(number);
     y[i] = line.getY(number);
-    const double z = feature.has_z ? line.getZ(number) : 0;
+    double z = feature.has_z ? line.getZ(number) : 0;
+    if (!request_.heights_are_used && !std::isfinite(z)) z = 0;
     vertices[i] = Vec3(x[i], y[i], z);
     if (!vertices[i].allFinite()) {
       note(not_finite, feature, fmt::format("has the coordinates ({:.10g}, {:.10g}, {:.10g})", x[i], y[i], z));
+      return std::nullopt;
+    }
+    if (request_.heights_are_used && (z < lowest_elevation_m || z > highest_elevation_m)) {
+      note(bad_height, feature, fmt::format("has the height {:.10g} at {}", z, at(i)));
       return std::nullopt;
     }
     if (is_geographic_ && (std::abs(x[i]) > 360 || std::abs(y[i]) > 90)) {
@@ -247,7 +266,10 @@ std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line,
       return std::nullopt;
     }
   }
-  if (!to_terrain_) return vertices;
+  if (!to_terrain_) {
+    note_missing_height(vertices, feature);
+    return vertices;
+  }
   std::vector<int> is_placed(count, FALSE);
   to_terrain_->Transform(static_cast<int>(count), x.data(), y.data(), nullptr, is_placed.data());
   for (std::size_t i = 0; i < count; ++i) {
@@ -257,7 +279,26 @@ std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line,
     }
     vertices[i].head(2) = Vec2(x[i], y[i]);
   }
+  note_missing_height(vertices, feature);
   return vertices;
+}
+
+void VectorShapes::note_missing_height(std::span<const Vec3> line, const VectorFeature& feature) {
+  // Faces may be of any shape.
+  if (!request_.heights_are_used || request_.polygons_are_in_space || !feature.has_z) return;
+  const auto vertex = vertex_without_height(line);
+  if (!vertex || ++missing_heights_.count > 1) return;
+  const Vec3& p = line[*vertex];
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Vec3& other : line) {
+    if (other.z() == p.z()) continue;
+    low = std::min(low, other.z());
+    high = std::max(high, other.z());
+  }
+  missing_heights_.first.push_back(
+      {fmt::format("feature {} has the height {:.10g} at ({:.10g}, {:.10g})", feature.id, p.z(), p.x(), p.y()),
+       low == high ? fmt::format("its other vertices lie at {:.10g} m", low)
+                   : fmt::format("its other vertices lie from {:.10g} to {:.10g} m", low, high)});
 }
 
 void VectorShapes::note(Fault fault, const VectorFeature& feature, std::string what) {
@@ -272,6 +313,14 @@ void VectorShapes::report() {
     problems_.refuse(height_fault_->what, height_fault_->why,
                      "Transform it to one with heights in metres: " +
                          ogr2ogr("-t_srs EPSG:XXXX+XXXX", problems_.file(), "_metres.gpkg"));
+  }
+  if (missing_heights_.count > 0) {
+    const auto& [what, why] = missing_heights_.first.front();
+    const std::uint64_t more = missing_heights_.count - 1;
+    problems_.warn(
+        what + (more == 0 ? ""
+                          : fmt::format(", and {} more {} such heights", more, more == 1 ? "line has" : "lines have")),
+        why + "; the height seems to be missing", "Give the vertex its height, or remove it");
   }
   std::string kinds;
   for (const ShapeKind kind : request_.kinds) kinds += fmt::format("{}{}s", kinds.empty() ? "" : " or ", word(kind));
@@ -300,6 +349,9 @@ void VectorShapes::report() {
           continue;
         case not_finite:
           why = "coordinates must be finite";
+          break;
+        case bad_height:
+          why = fmt::format("heights must be between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m);
           break;
         case not_degrees:
           why = fmt::format("{} is in degrees", crs_name_);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,16 @@ class VectorShapes {
   void report();
 
  private:
-  enum Fault : std::size_t { other_kind, open_ring, invalid, not_finite, not_degrees, without_place, fault_count };
+  enum Fault : std::size_t {
+    other_kind,
+    open_ring,
+    invalid,
+    not_finite,
+    bad_height,
+    not_degrees,
+    without_place,
+    fault_count
+  };
   struct Faulty {
     std::uint64_t count = 0;
     std::vector<std::array<std::string, 2>> first;  // the feature, and what it is or has
@@ -44,6 +54,8 @@ class VectorShapes {
   void add_polygon(const OGRPolygon& polygon, VectorFeature& feature);
   /// The line in the terrain's coordinates; nullopt, with an error, if a vertex cannot be transformed.
   [[nodiscard]] std::optional<std::vector<Vec3>> placed(const OGRLineString& line, const VectorFeature& feature);
+  /// Records a vertex of a line in the terrain's coordinates whose height seems to be missing.
+  void note_missing_height(std::span<const Vec3> line, const VectorFeature& feature);
   void note(Fault fault, const VectorFeature& feature, std::string what);
 
   const VectorRequest& request_;
@@ -55,6 +67,7 @@ class VectorShapes {
   std::uint64_t vertices_ = 0;
   bool has_parts_ = false;
   std::array<Faulty, fault_count> faulty_;
+  Faulty missing_heights_;                   // warnings; of the first its place and what speaks against it
   std::optional<HeightFault> height_fault_;  // of the coordinate system, if heights are used
   bool has_heights_ = false;                 // whether any feature has
 };

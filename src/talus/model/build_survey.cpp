@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "talus/files/first_problems.hpp"
 #include "talus/import/survey_files.hpp"
+#include "talus/model/mesh_surface.hpp"
 
 namespace talus::project {
 namespace {
@@ -11,13 +13,54 @@ std::filesystem::path in_project_folder(const Project& project, const std::files
   return file.empty() ? file : project.file.parent_path() / file;
 }
 
+/// Lines without heights are put on the surface of the points alone, with a vertex wherever that bends.
+void add_soft_lines(SurveyFiles& files, const SurveyOptions& options) {
+  const SurveyOptions of_points{
+      .source = options.source, .boundary = {}, .max_edge_m = {}, .remove_spikes_m = options.remove_spikes_m};
+  const CleanMesh mesh =
+      clean(surface_of({.points = files.survey.points, .lines = {}}, of_points).mesh, {.source = options.source});
+  const LocalFrame frame = LocalFrame::near(mesh.vertices.front());
+  const TriangleMesh ground = mesh_surface(mesh, frame);
+  FirstProblems problems(options.source, "lines");
+  for (const SoftLine& line : files.soft_lines) {
+    std::vector<Vec3> draped;
+    for (std::size_t k = 0; k + 1 < line.vertices.size(); ++k) {
+      const Vec3 from = frame.local_from_global(line.vertices[k]), to = frame.local_from_global(line.vertices[k + 1]);
+      for (const Vec3& end : {from, to}) {
+        if (ground.elevation(end.x(), end.y())) continue;
+        const Vec3 at = frame.global_from_local(end);
+        problems.add(0, fmt::format("{} of the lines has no heights", line.name),
+                     fmt::format("it reaches beyond the points at ({:.10g}, {:.10g})", at.x(), at.y()),
+                     "Cut it to the area of the points, or give it heights");
+        break;
+      }
+      for (const Vec3& p : ground.draped(from.head<2>(), to.head<2>())) {
+        const Vec3 at = frame.global_from_local(p);
+        if (draped.empty() || draped.back().head<2>() != at.head<2>()) draped.push_back(at);
+      }
+    }
+    files.survey.lines.push_back(std::move(draped));
+  }
+  problems.throw_if_any();
+}
+
 }  // namespace
 
 ProjectCrs crs_of_project(const Project& project) {
   const std::string& words = project.terrain.crs;
   if (words.empty()) return {};
   if (words == "local") return {.crs = {}, .is_local = true};
-  if (const auto crs = crs_in_words(words)) return {.crs = *crs, .is_local = false};
+  if (const auto file = file_in_crs_words(words)) {
+    throw BadInput(Problem{.file = project.file.string(),
+                           .where = "[terrain]",
+                           .what = "crs names a file",
+                           .why = *file + "; Talus reads no files that others name",
+                           .hint = "Use for example \"EPSG:31287\""});
+  }
+  if (const auto crs = crs_in_words(words)) {
+    if (crs->is_local) return {.crs = {}, .is_local = true};
+    return {.crs = *crs, .is_local = false};
+  }
   throw BadInput(Problem{.file = project.file.string(),
                          .where = "[terrain]",
                          .what = fmt::format("crs is \"{}\"", words),
@@ -46,6 +89,7 @@ SurveyedMesh survey_mesh(const Project& project, Problems& warnings) {
   options.boundary = std::move(files.boundary);
   options.max_edge_m = terrain.max_edge_m;
   options.remove_spikes_m = terrain.remove_spikes_m;
+  if (!files.soft_lines.empty()) add_soft_lines(files, options);
   SurveySurface surface = surface_of(files.survey, options);
   out.mesh = std::move(surface.mesh);
   out.crs_wkt = std::move(files.crs_wkt);
