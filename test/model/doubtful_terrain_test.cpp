@@ -215,5 +215,23 @@ TEST(DoubtfulPlaces, HaveTheirCoordinatesSwapped) {
             std::string::npos);
 }
 
+TEST(DoubtfulTerrain, IsHigherThanAnySlope) {
+  const auto warning_of_size = [](const Vec3& size, const Project& project) {
+    Problems warnings;
+    warn_of_high_terrain(size, project, warnings);
+    return warnings.text();
+  };
+  EXPECT_EQ(warning_of_size(Vec3(20000, 5000, 9000), project_with("", "slope.obj")), "");
+  EXPECT_EQ(
+      warning_of_size(Vec3(78000, 30000, 46800), project_with("", "slope.obj")),
+      "slope.toml: warning: [terrain]: \"slope.obj\" is 46.8 km high and 78 km wide (no slope is that high, so its "
+      "coordinates seem not to be in metres; as millimetres it would be 46.8 m high). Convert the coordinates to "
+      "metres");
+  Project section = project_with("", "");
+  section.terrain.section_file = "profile.csv";
+  EXPECT_EQ(warning_of_size(Vec3(40000, 0, 30000), section).substr(0, 71),
+            "slope.toml: warning: [terrain]: \"profile.csv\" is 30 km high and 40 km w");
+}
+
 }  // namespace
 }  // namespace talus::project

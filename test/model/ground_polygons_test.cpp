@@ -56,6 +56,39 @@ TEST_F(GroundPolygons, ACellHasTheMaterialAtItsCentre) {
   }
 }
 
+TEST_F(GroundPolygons, NumbersAreComparedAsNumbers) {
+  {
+    const GDALDatasetUniquePtr file(GetGDALDriverManager()
+                                        ->GetDriverByName("ESRI Shapefile")
+                                        ->Create(path("ground.shp").c_str(), 0, 0, 0, GDT_Unknown, nullptr));
+    OGRSpatialReference crs;
+    crs.importFromEPSG(2193);
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    OGRLayer& made = *file->CreateLayer("ground", &crs, wkbPolygon, nullptr);
+    OGRFieldDefn kind("kind", OFTReal);
+    kind.SetWidth(10);
+    kind.SetPrecision(3);
+    ASSERT_EQ(made.CreateField(&kind), OGRERR_NONE);
+    const OGRFeatureUniquePtr feature(OGRFeature::CreateFeature(made.GetLayerDefn()));
+    feature->SetField("kind", 2.0);
+    OGRGeometry* geometry = nullptr;
+    ASSERT_EQ(OGRGeometryFactory::createFromWkt(box(0, 0, 300, 200).c_str(), nullptr, &geometry), OGRERR_NONE);
+    feature->SetGeometryDirectly(geometry);
+    ASSERT_EQ(made.CreateFeature(feature.get()), OGRERR_NONE);
+  }
+  std::string text = terrain_and_ground;
+  text.replace(text.find("ground.gpkg"), 11, "ground.shp");
+  for (const char* value : {"2", "2.0", "2.000"}) {
+    const Model built = model(text + "values = { \"" + value + "\" = \"Scree\" }\n");
+    EXPECT_EQ(material_at(built, 50, 50), 1U) << value;
+  }
+}
+
+TEST_F(GroundPolygons, TextsAreNotComparedAsNumbers) {
+  layer("ground.gpkg", "kind", {{box(0, 0, 300, 200), "1.10"}});
+  EXPECT_THAT(refusal(terrain_and_ground + "values = { \"1.1\" = \"Scree\" }\n"), HasSubstr("that are not in values"));
+}
+
 TEST_F(GroundPolygons, ValuesMayBeMappedToMaterials) {
   layer("ground.gpkg", "kind", {{box(0, 0, 100, 200), "Fels"}, {box(100, 0, 300, 200), "Schutt, grob"}});
   const Model built =

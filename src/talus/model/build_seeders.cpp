@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "talus/core/stop.hpp"
+#include "talus/gdal/zone_in_easting.hpp"
 #include "talus/import/vector_file.hpp"
 #include "talus/model/build_terrain.hpp"
 #include "talus/model/choose_cells.hpp"
@@ -252,7 +254,17 @@ class SeederBuilder {
                                     low.x(), high.x(), low.y(), high.y()),
                   project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg rotates only the terrain, not the seeders"
                   : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? swapped_hint
+                  : !is_flat                                                        ? hint_for_zone(p, low.x())
                                                                                     : "");
+  }
+
+  /// If a place lies on the terrain with the number of a zone in front of its easting, or without it. Empty if not.
+  [[nodiscard]] std::string hint_for_zone(const Vec3& p, double terrain_x) const {
+    const double shift =
+        (std::floor(terrain_x / metres_per_zone) - std::floor(p.x() / metres_per_zone)) * metres_per_zone;
+    if (shift == 0 || !is_on_terrain(local({p.x() + shift, p.y(), p.z()}).head(2))) return "";
+    return fmt::format("With x = {:.10g} it would lie on the terrain: eastings may begin with the number of a zone",
+                       p.x() + shift);
   }
 
   /// Checks that a section with varying vertices has ground at x for every rock.

@@ -13,6 +13,7 @@
 #include "talus/meshing/extrude.hpp"
 #include "talus/model/build_survey.hpp"
 #include "talus/model/doubtful_terrain.hpp"
+#include "talus/model/mesh_surface.hpp"
 #include "talus/project/varied_section.hpp"
 
 namespace talus::project {
@@ -72,6 +73,24 @@ void refuse_degrees(const RawMesh& mesh, const Project& project) {
               .hint = "Project it to metres; or, if it is in metres, set crs = \"local\""});
 }
 
+/// Heights beyond those of any ground, as in rasters.
+void refuse_heights(const RawMesh& mesh, const std::filesystem::path& file, UpAxis up) {
+  const Eigen::Index axis = up == UpAxis::y ? 1 : 2;
+  std::size_t impossible = 0;
+  double most_extreme = 0;
+  for (const Vec3& v : mesh.vertices) {
+    if (v[axis] >= lowest_elevation_m && v[axis] <= highest_elevation_m) continue;
+    ++impossible;
+    if (!(std::abs(v[axis]) <= std::abs(most_extreme))) most_extreme = v[axis];
+  }
+  if (impossible == 0) return;
+  throw BadInput(Problem{.file = file.string(),
+                         .what = fmt::format("has heights such as {:.10g} m", most_extreme),
+                         .why = fmt::format("{} of {} vertices are below {:g} m or above {:g} m", impossible,
+                                            mesh.vertices.size(), lowest_elevation_m, highest_elevation_m),
+                         .hint = "Convert the coordinates to metres, or remove what is not ground"});
+}
+
 /// With y upwards: a quarter turn about x, which keeps left and right.
 void turn_up(RawMesh& mesh) {
   for (Vec3& v : mesh.vertices) v = Vec3(v.x(), -v.z(), v.y());
@@ -86,6 +105,7 @@ SurveyedMesh meshes_of_files(const Project& project, Problems& warnings) {
   for (const std::filesystem::path& file : terrain.meshes) {
     try {
       RawMesh mesh = read_mesh_file(project.file.parent_path() / file, warnings);
+      refuse_heights(mesh, file, terrain.up);
       const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
       constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
       if (vertices + mesh.vertices.size() > most || triangles + mesh.triangles.size() > most)
@@ -174,17 +194,7 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
   Box box;
   for (const Vec3& v : mesh.vertices) box.grow(v);
   built.frame = LocalFrame::near(0.5 * (box.low + box.high));
-  std::vector<Vec3> local;
-  local.reserve(mesh.vertices.size());
-  for (const Vec3& v : mesh.vertices) local.push_back(built.frame.local_from_global(v));
-  std::vector<TriangleMesh::Corners> neighbours;
-  neighbours.reserve(mesh.neighbours.size());
-  for (const auto& sides : mesh.neighbours) {
-    TriangleMesh::Corners beyond;
-    for (std::size_t k = 0; k < 3; ++k) beyond[k] = sides[k] ? (*sides[k]).index : TriangleMesh::no_neighbour;
-    neighbours.push_back(beyond);
-  }
-  built.surface = TriangleMesh(local, mesh.triangles, neighbours);
+  built.surface = mesh_surface(mesh, built.frame);
   return built;
 }
 
@@ -213,8 +223,11 @@ BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
 }  // namespace
 
 BuiltTerrain build_terrain(const Project& project, Problems& warnings) {
-  if (project.is_2d()) return section_terrain(project);
-  return project.terrain.raster.empty() ? mesh_terrain(project, warnings) : raster_terrain(project, warnings);
+  if (!project.terrain.raster.empty()) return raster_terrain(project, warnings);
+  BuiltTerrain built = project.is_2d() ? section_terrain(project) : mesh_terrain(project, warnings);
+  const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *built.surface);
+  warn_of_high_terrain(box.high - box.low, project, warnings);
+  return built;
 }
 
 }  // namespace talus::project

@@ -112,6 +112,24 @@ void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& w
        hint_to_turn(project, axis), warnings);
 }
 
+void warn_of_high_terrain(const Vec3& size, const Project& project, Problems& warnings) {
+  constexpr double highest_m = 9000;  // from the sea to the highest summit
+  if (size.z() <= highest_m) return;
+  const Terrain& terrain = project.terrain;
+  std::string name = terrain.meshes.empty() ? "the terrain" : quoted_names(project);
+  for (const std::filesystem::path& file : {terrain.section_file, terrain.points, terrain.lines, terrain.polygons}) {
+    if (terrain.meshes.empty() && !file.empty()) name = fmt::format("\"{}\"", file.string());
+  }
+  constexpr double km = 1000, millimetres = 1e-3;
+  warn(project, name,
+       fmt::format("is {:.3g} km high and {:.3g} km wide", size.z() / km, size.head<2>().maxCoeff() / km),
+       fmt::format(
+           "no slope is that high, so its coordinates seem not to be in metres; as millimetres it would be {:.3g} m "
+           "high",
+           size.z() * millimetres),
+       "Convert the coordinates to metres", warnings);
+}
+
 void warn_of_overhangs(const CleanMesh& mesh, const Project& project, Problems& warnings) {
   constexpr double least_share = 1.0 / 3;
   double all = 0, overhanging = 0;

@@ -26,6 +26,10 @@ void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Probl
 /// Adds a warning if a mesh as a whole is steeper than 60 degrees: it seems to lie on its side.
 void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& warnings);
 
+/// Adds a warning if a section, a mesh or a survey is higher than any slope: its coordinates seem not to be metres.
+/// `size`: its extent along x, y and z.
+void warn_of_high_terrain(const Vec3& size, const Project& project, Problems& warnings);
+
 /// Adds a warning if more than a third of the area of a mesh overhangs, and it is not closed: on its side, a slope that
 /// faces along z has a mean slope of less than 60 degrees, but its benches become ceilings.
 void warn_of_overhangs(const CleanMesh& mesh, const Project& project, Problems& warnings);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "talus/core/nearest.hpp"
+#include "talus/files/data_table.hpp"
 #include "talus/import/vector_file.hpp"
 #include "talus/model/ground_parts.hpp"
 
@@ -65,6 +66,16 @@ class Assignment {
     warnings_.add(std::move(problem));
   }
   [[nodiscard]] std::string file() const { return fmt::format("polygons \"{}\"", project_.ground.polygons.string()); }
+  /// The entry of `values` for a value of the attribute. Numbers are compared as such: a file may write 2 as 2.000.
+  [[nodiscard]] auto entry_of(const std::string& value) const {
+    const auto& values = project_.ground.values;
+    const auto same = values.find(value);
+    const auto number = layer_.are_numbers[0] ? number_in_cell(value, false) : std::nullopt;
+    if (same != values.end() || !number) return same;
+    return std::find_if(values.begin(), values.end(),
+                        [&](const auto& entry) { return number_in_cell(entry.first, false) == number; });
+  }
+
   /// Finds the material of each feature. Throws BadInput if one has none.
   void find_materials() {
     const Ground& ground = project_.ground;
@@ -83,8 +94,8 @@ class Assignment {
       std::optional<std::uint32_t> number;
       if (ground.values.empty()) {
         number = project_.number_of_material(*value);
-      } else if (const auto known = ground.values.find(*value); known != ground.values.end()) {
-        used_values[*value] = true;
+      } else if (const auto known = entry_of(*value); known != ground.values.end()) {
+        used_values[known->first] = true;
         number = project_.number_of_material(known->second);
       }
       if (number) {
