@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "support/dice.hpp"
 
 namespace talus {
@@ -30,6 +32,21 @@ TEST(ArcLength, IsTheSumOfManyChords) {
     for (int k = 0; k < parts; ++k) sum += (path.at(t * (k + 1) / parts) - path.at(t * k / parts)).norm();
     ASSERT_NEAR(arc_length(path, t), sum, 1e-5 * sum) << trial;
   }
+}
+
+TEST(TimeAtLength, OnAStraightPath) {
+  const Vec3 e = Vec3(1, 2, -2) / 3;
+  const Parabola path{Vec3::Zero(), 4 * e, -1.5 * e};
+  EXPECT_NEAR(time_at_length(path, 5, 2).value(), 2, 1e-13);
+  EXPECT_FALSE(time_at_length(path, 5.001, 2));
+  EXPECT_FALSE(time_at_length({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 1, 2));
+  const Parabola from_rest{Vec3::Zero(), Vec3::Zero(), 2 * e};
+  EXPECT_NEAR(time_at_length(from_rest, 9, std::numeric_limits<double>::infinity()).value(), 3, 1e-13);
+}
+
+TEST(TimeAtLength, OnACurvedPath) {
+  const Parabola path{Vec3::Zero(), Vec3(5, 0, 0), Vec3(0, 6, 0)};
+  EXPECT_NEAR(time_at_length(path, arc_length(path, 0.07), 0.1).value(), 0.07, 1e-12);
 }
 
 }  // namespace

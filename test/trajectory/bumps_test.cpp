@@ -57,24 +57,5 @@ TEST(Bumps, AreCountedInSpacings) {
   EXPECT_NEAR(bumps.way(draws, 4), 4 * 0.75 * way, 1e-15);
 }
 
-TEST(ArcLength, OfAStraightLegIsExact) {
-  const Vec3 e = Vec3(1, 2, -2) / 3;
-  const Parabola leg{Vec3::Zero(), 4 * e, -1.5 * e};
-  EXPECT_NEAR(arc_length(leg, 2), 4 * 2 - 0.75 * 4, 1e-14);
-  EXPECT_NEAR(time_at_length(leg, 5, 2).value(), 2, 1e-14);
-  EXPECT_FALSE(time_at_length(leg, 5.001, 2));
-  EXPECT_FALSE(time_at_length({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 1, 2));
-  const Parabola from_rest{Vec3::Zero(), Vec3::Zero(), 2 * e};
-  EXPECT_NEAR(time_at_length(from_rest, 9, std::numeric_limits<double>::infinity()).value(), 3, 1e-13);
-}
-
-// Against the closed form of a parabola's length.
-TEST(ArcLength, OfACurvedLeg) {
-  const Parabola leg{Vec3::Zero(), Vec3(5, 0, 0), Vec3(0, 6, 0)};
-  const double t = 0.1, q = 6 * t / 5, length = 25.0 / 12 * (q * std::sqrt(1 + q * q) + std::asinh(q));
-  EXPECT_NEAR(arc_length(leg, t), length, 1e-9);
-  EXPECT_NEAR(time_at_length(leg, arc_length(leg, 0.07), t).value(), 0.07, 1e-12);
-}
-
 }  // namespace
 }  // namespace talus

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "talus/flight/parabola.hpp"
 
@@ -20,6 +21,23 @@ namespace talus {
     return 0.5 * (u * std::sqrt(u * u + w * w) + w * w * std::asinh(u / w));
   };
   return std::max(chord, (primitive(u1) - primitive(u0)) / a);  // cancels where the path is almost straight
+}
+
+/// When a path has the length `way` [s]; nullopt if not before `t`. Expects a path that does not turn back before `t`.
+[[nodiscard]] inline std::optional<double> time_at_length(const Parabola& path, double way, double t) {
+  if (std::isfinite(t) && arc_length(path, t) < way) return std::nullopt;
+  const double speed = path.v.norm();
+  const double gain = speed > 0 ? path.a.dot(path.v) / speed : path.a.norm();
+  const double square = speed * speed + 2 * gain * way;
+  if (!(square > 0)) return std::nullopt;  // it stands still before, or never moves
+  double at = std::min(t, 2 * way / (speed + std::sqrt(square)));
+  constexpr int corrections = 3;  // of the straight line's time, for curved legs
+  for (int k = 0; k < corrections; ++k) {
+    const double error = arc_length(path, at) - way;
+    if (error == 0) break;
+    at = std::clamp(at - error / path.velocity(at).norm(), 0.0, t);
+  }
+  return at;
 }
 
 }  // namespace talus

@@ -9,6 +9,7 @@
 
 #include "talus/barriers/crossing.hpp"
 #include "talus/core/tolerances.hpp"
+#include "talus/flight/arc_length.hpp"
 #include "talus/impact/law.hpp"
 #include "talus/sliding/bend.hpp"
 #include "talus/terrain/surface.hpp"
