@@ -16,13 +16,11 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/core/utf8.hpp"
-#include "talus/files/data_table.hpp"
 #include "talus/files/first_problems.hpp"
 #include "talus/files/grouped_digits.hpp"
 #include "talus/files/mesh_problems.hpp"
 #include "talus/files/ordinary_file.hpp"
-#include "talus/import/mesh_text.hpp"
+#include "talus/import/point_columns.hpp"
 #include "talus/import/raster_file.hpp"
 #include "talus/meshing/cleaning.hpp"
 
@@ -59,54 +57,6 @@ std::optional<double> number(std::string_view word, bool comma_is_point) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
   return value;
-}
-
-// ---- columns ----
-
-struct ColumnMeaning {
-  std::size_t axis;  // 0 x, 1 y, 2 z
-  bool in_feet;
-};
-
-// The meaning of a column's name, with or without a unit: "x", "Easting (m)", "z_ft".
-std::optional<ColumnMeaning> meaning_of(std::string_view name) {
-  std::string word;
-  for (const char c : lower(in_ascii(name))) {
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) word += c;
-  }
-  static constexpr std::array<std::array<std::string_view, 9>, 3> names{{
-      {"x", "e", "east", "easting", "xcoord", "xcoordinate", "rechtswert", "rw", "eastings"},
-      {"y", "n", "north", "northing", "ycoord", "ycoordinate", "hochwert", "hw", "northings"},
-      {"z", "h", "height", "elevation", "elev", "alt", "altitude", "zcoord", "hoehe"},
-  }};
-  static constexpr std::array<std::string_view, 5> metres{"", "m", "metre", "metres", "meters"};
-  static constexpr std::array<std::string_view, 5> feet{"ft", "feet", "foot", "usft", "ftus"};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (const std::string_view known : names[axis]) {
-      if (known.empty() || !word.starts_with(known)) continue;
-      const std::string_view unit = std::string_view(word).substr(known.size());
-      for (const std::string_view m : metres) {
-        if (unit == m) return ColumnMeaning{axis, false};
-      }
-      for (const std::string_view ft : feet) {
-        if (unit == ft) return ColumnMeaning{axis, true};
-      }
-    }
-  }
-  return std::nullopt;
-}
-
-// "distance_m", "Station": where a point of a section is along it.
-bool means_distance(std::string_view name) {
-  const std::string plain = plain_column_name(name);
-  return std::ranges::any_of(
-      std::array<std::string_view, 3>{"distance", "station", "chainage"},
-      [&](std::string_view word) { return plain == word || plain == fmt::format("{}_m", word); });
-}
-
-bool means_degrees(std::string_view name) {
-  const std::string word = lower(name);
-  return word.starts_with("lat") || word.starts_with("lon") || word == "lng";
 }
 
 // ---- the file ----
@@ -279,7 +229,7 @@ class PointReader {
   [[nodiscard]] bool names_all_columns() const {
     std::array<bool, 3> found{};
     for (const std::string_view word : words_) {
-      if (const auto named = meaning_of(word)) found[named->axis] = true;
+      if (const auto named = meaning_of_point_column(word)) found[named->axis] = true;
     }
     if (!y_is_needed_ && std::ranges::any_of(words_, means_distance)) found[0] = true;
     return found[0] && (found[1] || !y_is_needed_) && found[2];
@@ -296,7 +246,7 @@ class PointReader {
     const auto distance = y_is_needed_ ? words_.end() : std::ranges::find_if(words_, means_distance);
     if (distance != words_.end()) columns[0] = static_cast<std::size_t>(distance - words_.begin());
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      const auto named = meaning_of(words_[i]);
+      const auto named = meaning_of_point_column(words_[i]);
       if (!named || (distance != words_.end() && named->axis < 2)) continue;
       if (named->in_feet) {
         stop_at_line(fmt::format("column {} is in feet", in_quotes(words_[i])),

@@ -3,12 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <iterator>
 #include <limits>
-#include <map>
 #include <string_view>
 
 #include "talus/files/file_formats.hpp"
@@ -19,7 +15,7 @@
 #include "talus/import/las_file.hpp"
 #include "talus/import/mesh_text.hpp"
 #include "talus/import/point_file.hpp"
-#include "talus/import/raster_file.hpp"
+#include "talus/import/survey_heights.hpp"
 #include "talus/import/vector_file.hpp"
 
 namespace talus {
@@ -92,131 +88,6 @@ class CommonCrs {
   bool is_local_ = false;
 };
 
-// ---- heights of features ----
-
-class Heights {
- public:
-  // `may_lack`: whether features without heights are accepted as they are.
-  Heights(const std::filesystem::path& file, std::string attribute, bool may_lack)
-      : file_(file), attribute_(std::move(attribute)), may_lack_(may_lack), problems_(file.string(), "features") {}
-
-  [[nodiscard]] std::vector<std::string> attributes() const {
-    return attribute_.empty() ? std::vector<std::string>{} : std::vector<std::string>{attribute_};
-  }
-
-  // Sets the heights of the feature's vertices; an error if it has none.
-  bool assign(VectorFeature& feature) {
-    const std::string name = fmt::format("feature {}", feature.id);
-    std::optional<double> height;
-    if (!attribute_.empty()) {
-      const auto& value = feature.values.front();
-      if (!value) return refuse(name + " has no height", fmt::format("its {} is empty", attribute_));
-      double number = 0;
-      const char *begin = value->data(), *end = begin + value->size();
-      const auto [rest, error] = std::from_chars(begin, end, number);
-      if (error != std::errc{} || rest != end || !std::isfinite(number)) {
-        return refuse(fmt::format("{} has the {} {}", name, attribute_, in_quotes(*value)),
-                      "a height is a number of metres");
-      }
-      if (number < lowest_elevation_m || number > highest_elevation_m) {
-        return refuse(fmt::format("{} has the height {:.10g}", name, number),
-                      fmt::format("heights must be between {:g} and {:g} m", lowest_elevation_m, highest_elevation_m));
-      }
-      height = number;
-    } else if (!feature.has_z && may_lack_) {
-      return true;
-    } else if (!feature.has_z) {
-      return refuse(name + " has no heights", "its geometry has only x and y",
-                    "Name the attribute with the heights: elevation_attribute = \"...\"");
-    }
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (VectorShape& part : feature.parts) {
-      for (auto& list : part.lists) {
-        for (Vec3& p : list) {
-          if (height) p.z() = *height;
-          low = std::min(low, p.z());
-          high = std::max(high, p.z());
-        }
-      }
-    }
-    if (low == high && may_be_filler(low)) {
-      Level& level = fillers_[low];
-      if (++level.features == 1) level.first = name;
-    } else {
-      low_ = std::min(low_, low);
-      high_ = std::max(high_, high);
-    }
-    return true;
-  }
-
-  // Reports errors, and heights that seem not to have been filled in, of all features or of some.
-  void finish(bool others_have_heights, const std::string& layer_key, Problems& warnings) {
-    problems_.throw_if_any();
-    const auto take_all = [&](const auto& is_taken) {
-      for (const auto& [height, level] : fillers_) {
-        if (!is_taken(height)) continue;
-        low_ = std::min(low_, height);
-        high_ = std::max(high_, height);
-      }
-    };
-    // Without others they are the heights.
-    if (low_ > high_) take_all([](double height) { return height != 0; });
-    if (low_ <= high_ || fillers_.empty()) return warn_of_some(layer_key, warnings);
-    Problem flat = problem(file_, "has only heights of 0", "every vertex is at 0",
-                           "If an attribute has the heights, name it: elevation_attribute = \"...\"");
-    if (!others_have_heights) throw BadInput(flat);
-    flat.severity = Severity::warning;
-    warnings.add(flat);
-  }
-
- private:
-  struct Level {
-    std::size_t features = 0;
-    std::string first;
-  };
-
-  // A frame at 0 may be part of a drawing; other fillers must be far away.
-  void warn_of_some(const std::string& layer_key, Problems& warnings) const {
-    for (const auto& [height, level] : fillers_) {
-      const bool is_among_others = low_ <= height && high_ >= height;
-      if (is_among_others || (height != 0 && !is_far_from(height, low_, high_))) continue;
-      Problem some = problem(
-          file_,
-          fmt::format("{} at the height {:.10g}",
-                      level.features == 1 ? "1 feature lies" : fmt::format("{} features lie", level.features), height),
-          fmt::format("the others lie from {:.10g} to {:.10g} m; {} is the first", low_, high_, level.first),
-          height == 0
-              ? fmt::format("To leave out a frame or plan next to the ground, name the ground's layer: {} = \"...\"",
-                            layer_key)
-              : "If it stands for a missing height, remove them");
-      some.severity = Severity::warning;
-      warnings.add(some);
-    }
-  }
-
-  bool refuse(std::string what, std::string why, std::string hint = "") {
-    problems_.add(0, std::move(what), std::move(why), std::move(hint));
-    return false;
-  }
-
-  const std::filesystem::path& file_;
-  std::string attribute_;
-  bool may_lack_;
-  FirstProblems problems_;
-  std::map<double, Level> fillers_;  // features all of whose vertices are at 0, or at another filler value
-  double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;  // of the others
-};
-
-// "elev_ft", "Z (feet)": as in the columns of text files, a unit in a name counts if it is a word.
-bool names_feet(std::string_view attribute) {
-  const std::string name = lower(attribute);
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); };
-  const auto end = std::find_if(name.rbegin(), name.rend(), is_letter).base();
-  const auto begin = std::find_if_not(std::make_reverse_iterator(end), name.rend(), is_letter).base();
-  static constexpr std::array<std::string_view, 5> feet{"ft", "feet", "foot", "usft", "ftus"};
-  return std::find(feet.begin(), feet.end(), std::string_view(begin, end)) != feet.end();
-}
-
 // `points_have_heights`: features without heights can be put on points that have them.
 VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest request, const std::string& attribute,
                               bool others_have_heights, bool points_have_heights, CommonCrs& crs, Problems& warnings) {
@@ -225,7 +96,7 @@ VectorLayer read_with_heights(const std::filesystem::path& path, VectorRequest r
                            "Talus needs heights in metres",
                            "Convert it to metres: a foot is 0.3048 m, a US survey foot 1200/3937 m"));
   }
-  Heights heights(path, attribute, points_have_heights);
+  FeatureHeights heights(path, attribute, points_have_heights);
   request.attributes = heights.attributes();
   request.heights_are_used = attribute.empty();
   request.terrain_crs_wkt = crs.wanted();
