@@ -140,7 +140,7 @@ TEST(SavedResults, RefuseSummariesOfOtherRuns) {
 }
 
 /// On level ground at z = 0.
-void heights(const PathPiece& piece, std::span<const double> borders, std::span<double> heights) {
+void heights(const Rock&, const PathPiece& piece, std::span<const double> borders, std::span<double> heights) {
   for (std::size_t k = 0; k < heights.size(); ++k)
     heights[k] = std::max({0.0, piece.path.z(borders[k]), piece.path.z(borders[k + 1])});
 }
