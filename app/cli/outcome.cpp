@@ -38,7 +38,8 @@ void print_summary(const Summary& summary, const std::vector<std::string>& barri
     const BarrierTally& tally = summary.barriers[b];
     const Descriptive energy = tally.total_energy.describe(), height = tally.height.describe();
     fmt::print("  {}: {} rocks hit it, {} passed above", barriers[b], tally.rocks_hit, tally.rocks_passed_above);
-    if (energy.maximum) fmt::print("; at most {:.1f} kJ, contact {:.2f} m high", *energy.maximum / 1000, *height.maximum);
+    if (energy.maximum)
+      fmt::print("; at most {:.1f} kJ, contact {:.2f} m high", *energy.maximum / 1000, *height.maximum);
     fmt::print("\n");
   }
   if (summary.barriers.size() > most_printed) {
