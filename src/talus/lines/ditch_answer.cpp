@@ -27,13 +27,13 @@ double farthest_on(const Ditch& ditch, const PathPiece& piece) {
   return most;
 }
 
-constexpr double rounding = 1e-6;  // of the far edge, which may be a barrier or the end of the section [m]
+constexpr double by_rounding = 1e-6;  // of the far edge, which may be a barrier or the end of the section [m]
 
 /// The rock's arrival at the first barrier of the ditch; null: it meets none.
 const PathRow* first_barrier(const Ditch& ditch, const RockPath& path) {
   const auto found = std::ranges::find_if(path.rows, [&](const PathRow& row) {
     const double distance = ditch.distance(row.motion.position.x());
-    return row.state == PathState::barrier && distance >= 0 && distance <= ditch.width() + rounding;
+    return row.state == PathState::barrier && distance >= 0 && distance <= ditch.width() + by_rounding;
   });
   return found == path.rows.end() ? nullptr : &*found;
 }
@@ -69,7 +69,7 @@ std::optional<RockInDitch> rock_in(const Ditch& ditch, const RockPath& path) {
                      .first_impact = first_impact(ditch, path, until),
                      .at_barrier = barrier ? std::optional(ditch.distance(barrier->motion.position.x())) : std::nullopt,
                      .farthest = farthest,
-                     .gets_beyond = farthest > ditch.width() - rounding,
+                     .gets_beyond = farthest > ditch.width() - by_rounding,
                      .ends_inside = stays && end >= 0 && end <= ditch.width()};
 }
 

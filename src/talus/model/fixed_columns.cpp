@@ -74,9 +74,11 @@ FixedColumns::FixedColumns(const DataTable& table, const Project& project, std::
     while (end != std::string::npos && !own.contains(name.substr(0, end))) end = name.rfind('@', end - 1);
     if (end == std::string::npos) end = name.find('@');
     Column column{.number = k, .path = name.substr(0, end), .first = {}, .sites = {}};
-    for (std::size_t begin = end; begin < name.size(); begin = end) {
-      end = std::min(name.find('@', begin + 1), name.size());
-      column.sites.push_back(name.substr(begin + 1, end - begin - 1));
+    for (std::string_view sites = std::string_view(name).substr(std::min(end, name.size())); !sites.empty();) {
+      sites.remove_prefix(1);
+      const std::size_t length = std::min(sites.find('@'), sites.size());
+      column.sites.emplace_back(sites.substr(0, length));
+      sites.remove_prefix(length);
     }
     const auto known = own.find(column.path);
     column.is_there = known != own.end();
