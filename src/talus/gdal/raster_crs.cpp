@@ -217,10 +217,11 @@ std::optional<std::string> file_named_in(const OGRSpatialReference& crs) {
   return std::nullopt;
 }
 
-void refuse_files_in_crs(const OGRSpatialReference& crs, RasterProblems& problems, const std::string& hint) {
+bool refuse_files_in_crs(const OGRSpatialReference& crs, RasterProblems& problems, const std::string& hint) {
   const auto file = file_named_in(crs);
-  if (!file) return;
+  if (!file) return false;
   problems.refuse("has a coordinate system that names a file", *file + "; Talus reads no files that others name", hint);
+  return true;
 }
 
 std::string option_to_keep_heights(const OGRSpatialReference& crs) {
@@ -314,9 +315,8 @@ void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>
 
 void check_terrain_crs(const OGRSpatialReference& crs, const std::optional<Vec2>& centre, RasterProblems& problems,
                        const CrsCommands& commands) {
-  if (const auto file = file_named_in(crs)) {
-    refuse_files_in_crs(crs, problems, "Assign one without it: " + commands.name);
-  } else if (crs.IsGeographic()) {
+  if (refuse_files_in_crs(crs, problems, "Assign one without it: " + commands.name)) return;
+  if (crs.IsGeographic()) {
     problems.refuse("is in degrees",
                     fmt::format("{} is a geographic coordinate system; Talus needs metres on plan", name_of(crs)),
                     "Project it: " + command_to_utm(crs, centre, commands));

@@ -32,8 +32,8 @@ inline constexpr double refused_scale = 0.05;
 [[nodiscard]] std::optional<std::string> file_named_in(const OGRSpatialReference& crs);
 [[nodiscard]] std::optional<std::string> file_named_in(std::string_view words);
 
-/// Adds an error if the coordinate system names a file.
-void refuse_files_in_crs(const OGRSpatialReference& crs, RasterProblems& problems, const std::string& hint);
+/// Adds an error and returns true if the coordinate system names a file: nothing may be transformed with it.
+bool refuse_files_in_crs(const OGRSpatialReference& crs, RasterProblems& problems, const std::string& hint);
 
 /// Its horizontal part, as an option of commands that transform on plan: " -s_srs EPSG:4326"; with it they keep heights
 /// as they are. Empty if the coordinate system has no vertical part.

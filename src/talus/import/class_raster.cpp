@@ -93,8 +93,7 @@ class ClassRaster::Reader {
   void find_transformation(const std::string& terrain_crs_wkt) {
     const OGRSpatialReference* known = dataset_->GetSpatialRef();
     const std::string assign = problems_.command("gdal_translate -a_srs EPSG:XXXX", "_placed.tif");
-    if (known) refuse_files_in_crs(*known, problems_, "Assign one without it: " + assign);
-    problems_.throw_if_any();
+    if (known && refuse_files_in_crs(*known, problems_, "Assign one without it: " + assign)) return;
     if (known && known->IsEmpty()) known = nullptr;
     if (known) crs_name = name_of(*known);
     if (terrain_crs_wkt.empty()) return;

@@ -256,13 +256,12 @@ VectorLayer read_vector_file(const std::filesystem::path& path, const VectorRequ
   if (crs && (crs->IsEmpty() || std::string_view(crs->GetName()).starts_with("Undefined "))) crs = nullptr;
   if (crs) {
     const std::string assign = ogr2ogr("-a_srs EPSG:XXXX", problems.file(), "_placed.gpkg");
-    refuse_files_in_crs(*crs, problems, "Assign one without it: " + assign);
+    if (refuse_files_in_crs(*crs, problems, "Assign one without it: " + assign)) problems.throw_if_any();
     read.crs_is_local = is_local(*crs) && request.terrain_crs_wkt.empty();
     if (read.crs_is_local) {
       check_terrain_crs(*crs, std::nullopt, problems, {[&](const std::string&) { return assign; }, assign});
       crs = nullptr;
     }
-    problems.throw_if_any();
   }
   if (crs) {
     read.crs_wkt = wkt_of(*crs);

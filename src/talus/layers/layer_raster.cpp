@@ -62,8 +62,7 @@ LayerRaster::LayerRaster(const std::filesystem::path& file, const TerrainOnPlan&
 
 void LayerRaster::find_crs(const TerrainOnPlan& terrain) {
   const OGRSpatialReference* known = dataset_->GetSpatialRef();
-  if (known) refuse_files_in_crs(*known, problems_, "Assign one without it: " + place_command(problems_));
-  problems_.throw_if_any();
+  if (known && refuse_files_in_crs(*known, problems_, "Assign one without it: " + place_command(problems_))) return;
   if (known && known->IsEmpty()) known = nullptr;
   if (terrain.crs_wkt.empty()) {
     if (!known) return;
