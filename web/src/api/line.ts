@@ -124,6 +124,7 @@ export interface Question extends AskedShape {
 /// Where rocks start.
 export interface Releases {
   header: { origin: Point3; seeders: string[]; sources: string[]; places: number };
+  firstRocks: Uint32Array;
   rocks: Uint32Array;
   positions: Float32Array; // three per place, relative to the origin [m]
   sizes: Float32Array; // dx, dy of a cell; 0, 0: not a cell [m]
@@ -140,6 +141,7 @@ export const asking = {
     (await sendJson<{ lines: StationAnswer[] }>('POST', `${at(run)}/line`, { lines, sources: false }, signal)).lines,
   releases: async (run: string, signal?: AbortSignal): Promise<Releases> => {
     const { header, arrays } = await getArrays<Releases['header']>(`${at(run)}/releases`, signal);
-    return { header, ...arrays } as Releases;
+    const { first_rocks: firstRocks, ...others } = arrays;
+    return { header, firstRocks, ...others } as Releases;
   },
 };

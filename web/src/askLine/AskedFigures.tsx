@@ -1,6 +1,6 @@
 // The figures of an answer, as the card and its sheet show them.
 
-import type { AskedAnswer, LineAnswer, PolygonAnswer } from '../api/line';
+import type { AskedAnswer, LineAnswer, LineQuantity, PolygonAnswer } from '../api/line';
 import { displayOf } from '../state/displayUnits';
 import { counted, numberText } from '../ui/format';
 import { intervalText, percentText } from './kit';
@@ -60,7 +60,7 @@ const quantities = (height: string) =>
   ] as const;
 
 /// Over the inputs of what if; null: unknown, or what if has no such figure.
-function rangeFor(key: (typeof quantities)[number][1], percentile: string): [number, number] | null {
+function rangeFor(key: LineQuantity, percentile: string): [number, number] | null {
   const answer = whatIfAnswer();
   if (!answer || String(answer.percentile) !== percentile) return null;
   if (key === 'height_m' || key === 'velocity_m_s') return rangeOf(answer, key);

@@ -201,7 +201,7 @@ function designPairs(parent, run) {
     rowClass: (i) => i === 0 && shown[0].suffices ? 'differs' : '',
   });
   const more = design.pairs.length - shown.length;
-  element(parent, 'p', `${more > 0 ? `${count(more, 'more pair is', 'more pairs are')} in design_pairs.csv. ` : ''}A rock is caught by a pair if either kit catches it; the second sees the rocks that the first does not catch. Spheres count by their centres; barriers that are built also stop those that touch their tops. ` +
+  element(parent, 'p', `${more > 0 ? `${count(more, 'more pair is', 'more pairs are')} in design_pairs.csv. ` : ''}A rock is caught by a pair if either kit catches it; the second sees the rocks that the first does not catch. Rocks count by their tops; barriers that are built also stop rocks that hit them below that. ` +
     `Of each pair the cheapest kits for what they catch are listed.${staggered ? ' Needs: the overlap that the directions of the rocks ask for at the first line, by the design percentile.' : ''}`, {class: 'quiet'});
 }
 
