@@ -32,11 +32,11 @@ TEST_F(ModelOf, NamesTheSettingOfEachProblem) {
 }
 
 TEST_F(ModelOf, ListsTheFirstOfVeryManyProblems) {
-  std::string text = section_text + "[analysis]\n";
-  for (int k = 0; k < 1500; ++k) text += "k" + std::to_string(k) + " = 1\n";
+  std::string text = section_text;
+  for (int k = 0; k < 1500; ++k) text += "[[collector]]\nline = 5\nheight_m = 1\nbad = 1\n";
   const std::vector<std::string> problems = problems_of(text);
   ASSERT_EQ(problems.size(), 1001U);
-  EXPECT_TRUE(problems[999].starts_with("analysis.k999: ")) << problems[999];
+  EXPECT_TRUE(problems[999].starts_with("collector.999.bad: ")) << problems[999];
   EXPECT_EQ(problems[1000], ": there are 500 more problems (only 1000 are listed)");
 }
 

@@ -46,7 +46,7 @@ TEST_F(Runs, OfAProjectWithErrorsAreRefused) {
   EXPECT_EQ(reply.status, 422);
   const Json problem = reply.json()["problems"][0];
   EXPECT_EQ(problem["file"], "slope.toml");
-  EXPECT_EQ(problem["line"], 52);
+  EXPECT_EQ(problem["line"], 53);
   EXPECT_THAT(problem["what"].get<std::string>(), HasSubstr("nonsense"));
   EXPECT_TRUE(list().empty());
   EXPECT_FALSE(std::filesystem::exists(path("runs")));

@@ -35,7 +35,7 @@ position = [1, 5]
 mass_kg = 100
 rocks = 20
 [[collector]]
-line = 15
+line = 8
 height_m = 10
 )";
 
