@@ -34,6 +34,10 @@ class Table:
 class Analysis(Table):
     """[analysis]: How rocks move.
 
+    laws: Whose laws rocks obey: those of Talus, or those of RocFall2 and RocFall3 as their published tables need
+    them. It chooses the defaults of the other keys of this table, each of which may still be given. Default:
+    "talus".
+
     model: A rock is a point with mass and spin (`lumped_mass`, the law of CRSP) or a sphere with a radius
     (`rigid_sphere`). Default: "lumped_mass".
 
@@ -53,7 +57,7 @@ class Analysis(Table):
 
     grazing_angle_deg: A rock that slides or rolls, and meets ground at a smaller angle than this at a bend or after
     a hop over one, moves on along it without an impact, slowed by friction. With the default, results hardly depend
-    on the size of cells; 0 gives an impact at every bend, as in RocFall. Unit: deg. Range: at least 0, at most 45.
+    on the size of cells; with 0 every bend is an impact, as in RocFall. Unit: deg. Range: at least 0, at most 45.
     Default: 15.
 
     stopped_velocity_m_s: A rock slower than this comes to rest where friction can hold it. Unit: m/s. Range: at
@@ -71,8 +75,12 @@ class Analysis(Table):
     friction_angle: Lumped mass: the friction angle of sliding is the material's, follows from its tangential
     restitution as phi = arctan((1 - Rt) / Rt), or is zero. Default: "material".
 
+    roughness_law: A rock meets the faces of rough ground by the area that they show it, in impacts and at bumps
+    along the ground (`faces`); or the ground is tilted by a random angle in impacts only (`tilts`). Default:
+    "faces".
+
     scale_rn_by_velocity: Faster impacts rebound less: Rn / (1 + (vn / K)^2), where K is `rn_velocity_scale_m_s`.
-    Default: false.
+    Default: true.
 
     rn_velocity_scale_m_s: Normal velocity at which scaling by velocity halves the normal restitution. Unit: m/s.
     Range: more than 0, at most 10000. Default: 9.144.
@@ -84,12 +92,13 @@ class Analysis(Table):
     most 1e+12. Default: 1000.
 
     tangential_crsp_damping: Rigid sphere: the tangential velocity after an impact is damped as in CRSP. Default:
-    false.
+    true.
 
     rolling_resistance_in_impacts: Rigid sphere: rolling friction also acts on the impulse of an impact, so that a
     sphere that bounces along the ground loses as much as one that rolls there. Default: true.
     """
 
+    laws: Literal["talus", "rocfall"] | None = None
     model: Literal["lumped_mass", "rigid_sphere"] | None = None
     rotation: bool | None = None
     gravity_m_s2: Real | None = None
@@ -102,6 +111,7 @@ class Analysis(Table):
     max_time_s: Real | None = None
     energy_datum_m: Real | None = None
     friction_angle: Literal["material", "tangential_restitution", "zero"] | None = None
+    roughness_law: Literal["faces", "tilts"] | None = None
     scale_rn_by_velocity: bool | None = None
     rn_velocity_scale_m_s: Real | None = None
     scale_rn_by_mass: bool | None = None
@@ -288,14 +298,16 @@ class Material(Table):
     friction_angle_deg: Lumped mass: phi, the friction angle of sliding. Unit: deg. Range: at least 0, at most 89.9.
     Default: 30.
 
-    roughness_deg: Standard deviation of the random tilt of the ground at an impact; 0 is smooth. Unit: deg. Range:
-    at least 0, less than 90. Default: 0.
+    roughness_deg: Tilt of the small faces of the ground against the slope: a plain number is the standard deviation
+    of a normal distribution about 0; 0 is smooth. Unit: deg. Range: at least 0, less than 90. Default: 0.
 
-    roughness_spacing_m: Rigid sphere: distance between the bumps of rough ground. Unit: m. Range: at least 0, at
-    most 100000. Default: 0.
+    roughness_spacing_m: Mean distance between the bumps that a rock meets as it slides or rolls over rough ground,
+    and distance of the points to which `roughness_amplitude_m` refers; 0: no bumps. Unit: m. Range: at least 0, at
+    most 100000. Default: 5.
 
-    roughness_amplitude_m: Rigid sphere: height of the bumps of rough ground. Unit: m. Range: at least 0, at most
-    100000. Default: 0.
+    roughness_amplitude_m: Standard deviation of the heights of rough ground at points `roughness_spacing_m` apart,
+    from which the tilts of its faces follow; in place of `roughness_deg`. With the laws of RocFall, of rigid
+    spheres only, and in addition to `roughness_deg`. Unit: m. Range: at least 0, at most 100000. Default: 0.
 
     dynamic_friction: Rigid sphere: mu, the coefficient of friction while the contact slips. Range: at least 0, at
     most 1e+06. Default: 0.5.
