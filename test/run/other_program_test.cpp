@@ -65,13 +65,13 @@ TEST_F(OtherProgram, WithOtherLawsIsRefused) {
   begun.fingerprint = std::string(32, 'a');
   EXPECT_EQ(message(begun),
             "run.state: this run was begun by another talus (rocks may take other paths: the revision of "
-            "its laws was 7 and is 1). " +
-                way_on);
+            "its laws was 7 and is " +
+                std::to_string(paths_revision) + "). " + way_on);
   begun.paths_revision = 0;
   EXPECT_EQ(message(begun),
             "run.state: this run was begun by another talus (rocks may take other paths: the revision of "
-            "its laws was not stated and is 1). " +
-                way_on);
+            "its laws was not stated and is " +
+                std::to_string(paths_revision) + "). " + way_on);
   begun.project["sampling"]["seed"] = 5;  // what the user changed comes first
   EXPECT_EQ(message(begun),
             "run.state: the project is not the one that this run began with (sampling.seed was 5 and is "
@@ -97,8 +97,8 @@ TEST_F(OtherProgram, ThatFinishedIsRefused) {
   work.write("summary.json", summary.dump());
   EXPECT_EQ(message(),
             "summary.json: this run was begun by another talus (rocks may take other paths: the revision of "
-            "its laws was not stated and is 1). " +
-                way_on);
+            "its laws was not stated and is " +
+                std::to_string(paths_revision) + "). " + way_on);
 }
 
 }  // namespace
