@@ -129,8 +129,8 @@ TEST_F(ServedCalibrations, ObservedStopsAreShownOnTheModel) {
   const std::string of = "/api/models/" + model["model"]["id"].get<std::string>() + "/observed?file=";
   const Json places = get(of + "stops.csv").json()["places"];
   ASSERT_EQ(places.size(), 30U);
-  EXPECT_EQ(places[0][0], 79.2);
-  EXPECT_NEAR(places[0][2].get<double>(), -55 - 7 * 9.2 / 40, 1e-9);
+  EXPECT_EQ(places[0][0], 70.6);
+  EXPECT_NEAR(places[0][2].get<double>(), -55 - 7 * 0.6 / 40, 1e-9);
   write("far.csv", "x_m\n80\n900\n");
   const Reply far = get(of + "far.csv");
   EXPECT_EQ(far.status, 422);
