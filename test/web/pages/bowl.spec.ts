@@ -2,6 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { shiftedText } from '../../../web/src/ui/format';
+import { openForm } from '../support/steps';
 import { cellsOf, printedUnit, published } from '../support/table';
 import { expect, test } from '../support/workbench';
 
@@ -41,6 +42,10 @@ test('the bowl of the manual is built by hand, and its rock has the published tr
   await pastePolyline(page, [a, c, d, a]);
   await pastePolyline(page, [b, c, d, b]);
   await expect(page.getByRole('img', { name: 'Plan of 3 triangles' })).toBeVisible();
+  await page.getByRole('button', { name: '‹ Model' }).click();
+  // The published tables need the laws of RocFall.
+  await openForm(page, /^Project and analysis/);
+  await page.getByLabel('Laws', { exact: true }).selectOption('rocfall');
   await page.getByRole('button', { name: '‹ Model' }).click();
 
   await page.getByRole('button', { name: '+ Add material' }).click();
