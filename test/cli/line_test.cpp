@@ -132,7 +132,7 @@ TEST_F(LineCommand, TakesADesignForAProjectWithoutLines) {
   ASSERT_EQ(run.exit_code, 0) << run.text;
   const Said said = talus_says("line " + face + " --line 12 --design confidence=0.9");
   EXPECT_EQ(said.exit_code, 0) << said.text;
-  EXPECT_NE(said.text.find("(confidence 90 %)"), std::string::npos) << said.text;
+  EXPECT_NE(said.text.find("confidence 90 %)"), std::string::npos) << said.text;
 }
 
 TEST_F(LineCommand, RefusesWithTheReason) {

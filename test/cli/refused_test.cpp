@@ -74,7 +74,8 @@ TEST(RefusedByTheProgram, TextsThatAreNotWholeNumbers) {
 
 TEST(TheProgram, AcceptsSettingsBeforeAndAfterTheProject) {
   const Workplace place;
-  const std::string file = place.write("slope.toml", good), set = " --set analysis.gravity_m_s2=9 ";
+  const std::string file = place.write("slope.toml", good),
+                    set = " --set analysis.gravity_m_s2=9 --set material.Rock.friction_angle_deg=60 ";
   const std::string out = " -q -o " + (place / "out").string();
   EXPECT_EQ(said(place, "run" + set + file + out), "0 ");
   EXPECT_EQ(said(place, "run" + set + set + file + out + set), "0 ");
@@ -91,7 +92,8 @@ TEST(RefusedByTheProgram, MoreThreadsThanTheSystemAllows) {
     GTEST_SKIP() << "cannot run as another user";
   const Workplace place;
   std::filesystem::permissions(place / "", std::filesystem::perms::all);
-  const std::string run = "run " + place.write("slope.toml", good) + " -q -o " + (place / "out").string();
+  const std::string run = "run " + place.write("slope.toml", good) +
+                          " --set material.Rock.friction_angle_deg=60 -q -o " + (place / "out").string();
   const std::string alone = "setpriv --reuid=54321 --clear-groups prlimit --nproc=1 ";
   EXPECT_EQ(said(place, run + " --threads 8", alone),
             "2 --threads: 8 threads are not available (Resource temporarily unavailable). Try --threads 1\n");

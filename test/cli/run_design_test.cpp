@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -28,7 +29,7 @@ std::string with_collectors(const Workplace& work, const char* dimensions, const
   return work.write("slope.toml", text + more);
 }
 
-constexpr double radius_m = 0.44554;  // of the blocks of the tutorial, 1 t
+const double radius_m = std::cbrt(3000 / (4 * std::numbers::pi * 2700));  // of the blocks of the tutorial, 1 t
 
 struct Hit {
   double y_m, height_m, ke_translational_J, ke_total_J, velocity_m_s;

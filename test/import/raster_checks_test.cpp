@@ -86,7 +86,7 @@ TEST_F(RasterChecks, RefusesCoordinateSystemsThatAreNotProjected) {
   spec.crs = "EPSG:4978";
   EXPECT_EQ(
       refusal(spec),
-      "dem.tif: has no projected coordinate system (EPSG:4978 is geocentric; Talus needs a projected one in metres). "
+      "dem.tif: has no projected coordinate system (WGS 84 is geocentric; Talus needs a projected one in metres). "
       "Assign the right one: gdal_translate -a_srs EPSG:XXXX dem.tif dem_placed.tif");
 }
 

@@ -7,6 +7,7 @@ namespace talus {
 
 /// Rough, with a bench; rocks of different mass.
 inline const std::string bouncing_slope = R"([analysis]
+laws = "rocfall"
 model = "lumped_mass"
 
 [terrain]

@@ -228,7 +228,7 @@ TEST_F(BuildEnsembles, RefuseAllValuesThatAreNone) {
 
 TEST_F(BuildEnsembles, RefuseMoreEnsemblesThanRocks) {
   EXPECT_EQ(refusal_of([&] { static_cast<void>(built(two_sets, "ensembles = 401\n")); }),
-            "slope.toml: [sampling]: ensembles is 401 (seeder \"Seeder 1\" has 400 rocks, and each ensemble needs "
+            "slope.toml: [sampling]: ensembles is 401 (seeder \"seeder 1\" has 400 rocks, and each ensemble needs "
             "one). Run more "
             "rocks, or fewer ensembles");
 }
@@ -254,12 +254,12 @@ TEST_F(BuildEnsembles, RefuseASampleOfOtherLaws) {
       "weight,score,material.Scree.friction_angle_deg,fixed:analysis.scale_rn_by_velocity,fixed:analysis.gravity_m_s2,"
       "fixed:material.Ice.roughness_deg.mean\n";
   const std::string found = at + ":2: its study has ", why =
-                                                           ", and slope.toml has false (its parameters were found with "
+                                                           ", and slope.toml has true (its parameters were found with "
                                                            "that value). Give the project this value, or calibrate "
                                                            "with that of the project";
-  EXPECT_EQ(refusal(sample + "1,0.2,30,TRUE,9.80665,3\n1,0.2,31,TRUE,9.80665,3\n"),
-            found + "analysis.scale_rn_by_velocity = TRUE" + why);
-  EXPECT_EQ(built(sample + "1,0.2,30,False,9.80665,3\n").ensembles.size(), 10u) << "it has no material Ice";
+  EXPECT_EQ(refusal(sample + "1,0.2,30,FALSE,9.80665,3\n1,0.2,31,FALSE,9.80665,3\n"),
+            found + "analysis.scale_rn_by_velocity = FALSE" + why);
+  EXPECT_EQ(built(sample + "1,0.2,30,True,9.80665,3\n").ensembles.size(), 10u) << "it has no material Ice";
   EXPECT_EQ(refusal(sample + "1,0.2,30,false,9.80665,3\n1,0.2,30,true,9.80665,3\n"),
             at +
                 ":3: fixed:analysis.scale_rn_by_velocity is true (the first row has false). Keep the sets of one study "
@@ -273,11 +273,11 @@ TEST_F(BuildEnsembles, RefuseASampleOfOtherLaws) {
 TEST_F(BuildEnsembles, TakeTheLawsOfTheirSite) {
   const std::string sample =
       "score,material.Scree.friction_angle_deg,fixed:analysis.scale_rn_by_velocity@north,"
-      "fixed:analysis.scale_rn_by_velocity@south\n0.2,30,true,";
-  EXPECT_EQ(built(sample + "false\n").ensembles.size(), 10u);
+      "fixed:analysis.scale_rn_by_velocity@south\n0.2,30,false,";
+  EXPECT_EQ(built(sample + "true\n").ensembles.size(), 10u);
   EXPECT_EQ(
-      refusal(replaced(sample + "false\n", "friction_angle_deg", "friction_angle_deg@north")),
-      at + ":2: its study has analysis.scale_rn_by_velocity = true at site \"north\", and slope.toml has false (its "
+      refusal(replaced(sample + "true\n", "friction_angle_deg", "friction_angle_deg@north")),
+      at + ":2: its study has analysis.scale_rn_by_velocity = false at site \"north\", and slope.toml has true (its "
            "parameters were found with that value). Give the project this value, or calibrate with that of the "
            "project");
 }

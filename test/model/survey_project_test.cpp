@@ -180,8 +180,8 @@ TEST_F(SurveyProject, LinesWithoutHeightsLieOnThePoints) {
   testing_tools::add_layer(path("soft.gpkg"), "soft", "", "name", {{"LINESTRING (12 13, 250 81)", "a"}});
   EXPECT_EQ(
       refusal(terrain + tables_after_terrain),
-      "p.csv: feature 1 of the lines has no heights (it reaches beyond the points at (250, 81)). Cut it to the area of "
-      "the points, or give it heights");
+      "slope.toml:2: [terrain]: points p.csv: feature 1 of the lines has no heights (it reaches beyond the points at "
+      "(250, 81)). Cut it to the area of the points, or give it heights");
 }
 #endif
 

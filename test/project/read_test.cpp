@@ -270,7 +270,7 @@ triangles = [[0, 1, 2]]
 [[material]]
 name = "Rock"
 [[seeder]]
-mass_kg = 1
+mass_kg = 1000
 horizontal_velocity_m_s = 2
 )" + seeder)
         .seeders[0]

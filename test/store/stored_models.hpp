@@ -28,7 +28,7 @@ inline const std::vector<NamedModel> models{
     {"Barrier", "barrier/barrier.toml", {}},
     {"Bowl", "bowl/bowl.toml", {}},
     {"BowlSphere", "bowl/bowl.toml", {"analysis.model=rigid_sphere"}},
-    {"Crater", "maungawhau/crater.toml", {}, 75},
+    {"Crater", "maungawhau/crater.toml", {}, 84},
     {"CraterLumpedMass", "maungawhau/crater.toml", {"analysis.model=lumped_mass"}, 75},
     {"CraterForest",
      "maungawhau/crater.toml",

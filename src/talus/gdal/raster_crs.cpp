@@ -121,7 +121,8 @@ bool check_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProbl
 /// without it lies within the area of the coordinate system. Empty if they do not.
 std::string hint_for_zone(const OGRSpatialReference& crs, const Vec2& centre, const Transformation& transformation) {
   const auto zone = zone_in_easting(centre.x());
-  if (!zone) return "";
+  const auto exchanged = degrees(*transformation, Vec2(centre.y(), centre.x()));
+  if (!zone || (exchanged && degrees_outside(crs, *exchanged) <= 3)) return "";
   const auto without = degrees(*transformation, centre - Vec2(*zone * metres_per_zone, 0));
   if (!without || degrees_outside(crs, *without) > 3) return "";
   return fmt::format("Its eastings seem to begin with the number of a zone, {}: ", *zone) + way_out_of_zone(*zone);
