@@ -19,7 +19,7 @@ using testing_tools::Dice;
 
 /// Maps and maps by source, and some of the paths.
 const std::string settings =
-    " -q --rocks 3000 --set analysis.laws=rocfall --set output.paths=200 --set output.maps_by_source=true --set "
+    " -q --rocks 3000 --set barrier.Fence.capacity_kJ=10 --set output.paths=200 --set output.maps_by_source=true --set "
     "output.percentiles=[95] ";
 
 void expect_done(const Said& said) { EXPECT_EQ(said.exit_code, 0) << said.text; }

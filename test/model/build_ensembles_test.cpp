@@ -260,9 +260,9 @@ TEST_F(BuildEnsembles, RefuseASampleOfOtherLaws) {
   EXPECT_EQ(refusal(sample + "1,0.2,30,FALSE,9.80665,3\n1,0.2,31,FALSE,9.80665,3\n"),
             found + "analysis.scale_rn_by_velocity = FALSE" + why);
   EXPECT_EQ(built(sample + "1,0.2,30,True,9.80665,3\n").ensembles.size(), 10u) << "it has no material Ice";
-  EXPECT_EQ(refusal(sample + "1,0.2,30,false,9.80665,3\n1,0.2,30,true,9.80665,3\n"),
+  EXPECT_EQ(refusal(sample + "1,0.2,30,true,9.80665,3\n1,0.2,30,false,9.80665,3\n"),
             at +
-                ":3: fixed:analysis.scale_rn_by_velocity is true (the first row has false). Keep the sets of one study "
+                ":3: fixed:analysis.scale_rn_by_velocity is false (the first row has true). Keep the sets of one study "
                 "in one file");
   EXPECT_EQ(refusal("score,material.Scree.friction_angle_deg,fixed:analysis.wind\n0.2,30,5\n"),
             at + ":2: its study has analysis.wind = 5, and slope.toml has none (its parameters were found with that "
