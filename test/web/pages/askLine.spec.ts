@@ -92,6 +92,7 @@ test('corners and the line are dragged; Escape ends a drag, Undo takes it back',
   await expect.poll(async () => (await picture.boundingBox())!.width).toBeLessThan(width); // the card takes its room
   await picture.focus();
   await picture.press('2'); // plan
+  await picture.press('8'); // of the whole model, on whose ground the line is drawn
   await card(page).getByRole('button', { name: 'Draw a line' }).click();
   await expect(page.getByText('Click along the line that is asked.')).toBeVisible();
   const box = (await picture.boundingBox())!;
