@@ -37,7 +37,7 @@ test('the library of materials adds a material only when one is chosen', async (
   await library.press('Enter');
   // The dialog stays open for more materials.
   await dialog.getByRole('button', { name: 'Add Talus cover', exact: true }).press('Enter');
-  await dialog.getByRole('button', { name: 'Add Asphalt', exact: true }).press('Enter');
+  await dialog.getByRole('button', { name: 'Add Asphalt roadway', exact: true }).press('Enter');
   await expect(dialog.getByRole('row', { name: /^Talus cover/ })).toContainText('in the project');
   await page.keyboard.press('Escape');
   await expect(library).toBeFocused();
