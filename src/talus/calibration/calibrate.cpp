@@ -9,13 +9,14 @@
 #include <limits>
 #include <numeric>
 
+#include "talus/calibration/coverage.hpp"
 #include "talus/calibration/doubts.hpp"
 #include "talus/calibration/group_comparison.hpp"
+#include "talus/calibration/mixture.hpp"
 #include "talus/calibration/reach.hpp"
 #include "talus/calibration/smoothed_likelihood.hpp"
 #include "talus/core/random.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/statistics/binomial.hpp"
 
 namespace talus::calibration {
 
@@ -31,25 +32,6 @@ Moments moments_of(const Eigen::VectorXd& values) {
   const double mean = values.mean();
   const auto n = static_cast<double>(values.size());
   return {mean, n > 1 ? std::sqrt((values.array() - mean).square().sum() / (n - 1)) : 0};
-}
-
-/// The observations that lie in the central 90 % of the forecast for their stratum.
-std::size_t within_90(const Sample& observed, const Sample& forecast, Index feature) {
-  constexpr double central = 0.9;
-  std::vector<std::vector<double>> values(forecast.stratum_count());
-  for (Index row = 0; row < forecast.rows.rows(); ++row) {
-    values[forecast.has_strata() ? forecast.strata[static_cast<std::size_t>(row)] : 0].push_back(
-        forecast.rows(row, feature));
-  }
-  for (auto& each : values) std::ranges::sort(each);
-  std::size_t count = 0;
-  for (Index row = 0; row < observed.rows.rows(); ++row) {
-    const auto& own = values[observed.has_strata() ? observed.strata[static_cast<std::size_t>(row)] : 0];
-    const auto [first, last] = std::equal_range(own.begin(), own.end(), observed.rows(row, feature));
-    const auto below = static_cast<double>(first - own.begin()) + static_cast<double>(last - first) / 2;
-    if (std::abs(below / static_cast<double>(own.size()) - 0.5) <= central / 2) ++count;
-  }
-  return count;
 }
 
 class Calibration {
@@ -427,77 +409,11 @@ CalibrationResult calibrate(const PreparedStudy& study, const CalibrationOptions
   return Calibration(study, options).calibrate();
 }
 
-std::vector<HeldOutCoverage> coverage_of(const std::vector<HeldOut>& held_out) {
-  std::vector<HeldOutCoverage> all;
-  for (const HeldOut& held : held_out) {
-    for (const PredictedFeature& each : held.features) {
-      auto found = std::ranges::find_if(all, [&](const HeldOutCoverage& known) {
-        return known.group == each.group && known.feature.name == each.feature.name;
-      });
-      if (found == all.end()) found = all.insert(all.end(), {each.group, each.feature});
-      found->observations += each.observations;
-      found->within_90 += each.within_90;
-    }
-  }
-  constexpr double part = 0.9, central = 0.95;
-  for (HeldOutCoverage& each : all) {
-    const auto [least, most] = central_counts(each.observations, part, central);
-    each.least_expected = static_cast<std::size_t>(least);
-    each.most_expected = static_cast<std::size_t>(most);
-  }
-  return all;
-}
-
 bool agrees(const SetResult& set) {
   for (std::size_t g = 0; g < set.distances.size(); ++g) {
     if (set.distances[g] > set.chances[g]) return false;
   }
   return true;
-}
-
-std::vector<std::size_t> rows_like(const Sample& observed, std::size_t count) {
-  std::vector<std::size_t> rows(observed.stratum_count(), 0);
-  const auto n = static_cast<std::size_t>(observed.rows.rows());
-  if (!observed.has_strata()) return {count};
-  for (const std::uint32_t stratum : observed.strata) ++rows[stratum];
-  for (std::size_t& each : rows) each = (each * count + n - 1) / n;
-  return rows;
-}
-
-Sample mixture_of(const std::vector<SetResult>& sets, std::span<const double> weights, std::size_t group,
-                  const std::vector<std::size_t>& of_stratum) {
-  // Systematic resampling: row i of a stratum is from the set at the share (i + 1/2) / count of the cumulated weights,
-  // and the rows of a set are taken in turn.
-  constexpr std::uint64_t step = 7919;  // a prime: rocks of a set are spread over its seeders
-  Sample mixture;
-  std::vector<std::pair<std::size_t, Index>> chosen;
-  for (std::uint32_t stratum = 0; stratum < of_stratum.size(); ++stratum) {
-    const std::size_t count = of_stratum[stratum];
-    if (count == 0) continue;
-    std::vector<std::vector<Index>> rows(sets.size());
-    double below = 0, all = 0;
-    for (std::size_t k = 0; k < sets.size(); ++k) {
-      const Sample& sample = sets[k].samples[group];
-      for (Index row = 0; row < sample.rows.rows(); ++row) {
-        if (!sample.has_strata() || sample.strata[static_cast<std::size_t>(row)] == stratum) rows[k].push_back(row);
-      }
-      if (!rows[k].empty()) all += weights[k];
-    }
-    std::size_t drawn = 0;
-    for (std::size_t k = 0; k < sets.size(); ++k) {
-      if (rows[k].empty()) continue;
-      below += weights[k] / all;
-      while (drawn < count && (static_cast<double>(drawn) + 0.5) / static_cast<double>(count) <= below) {
-        chosen.emplace_back(k, rows[k][drawn * step % rows[k].size()]);
-        if (sets[k].samples[group].has_strata()) mixture.strata.push_back(stratum);
-        ++drawn;
-      }
-    }
-  }
-  mixture.rows.resize(static_cast<Index>(chosen.size()), sets.front().samples[group].rows.cols());
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-    mixture.rows.row(static_cast<Index>(i)) = sets[chosen[i].first].samples[group].rows.row(chosen[i].second);
-  return mixture;
 }
 
 }  // namespace talus::calibration

@@ -81,16 +81,6 @@ struct PredictedFeature {
   std::size_t within_90 = 0;  // of them, in the central 90 % of what is predicted for them
 };
 
-/// How many of the observations of a feature that were held out, in all folds or sites, lie within the central 90 % of
-/// their prediction, and the central 95 % of the number expected if predictions hold what they claim and observations
-/// are independent.
-struct HeldOutCoverage {
-  std::string group;
-  Feature feature;
-  std::size_t observations = 0, within_90 = 0, least_expected = 0, most_expected = 0;
-  [[nodiscard]] bool is_too_narrow() const { return within_90 < least_expected; }
-};
-
 /// The sum of the scores of a rock's observations, and their number.
 struct ObservedScore {
   double sum = 0, count = 0;
@@ -141,16 +131,7 @@ struct CalibrationOptions {
 /// Throws Stopped at the request of the thread's StopScope.
 [[nodiscard]] CalibrationResult calibrate(const PreparedStudy& study, const CalibrationOptions& options = {});
 
-/// In the order of the features.
-[[nodiscard]] std::vector<HeldOutCoverage> coverage_of(const std::vector<HeldOut>& held_out);
-
 /// Whether all distances of a set are such as chance alone gives.
 [[nodiscard]] bool agrees(const SetResult& set);
-
-/// Simulated rows of a group under several sets with these weights, drawn evenly: so many of each stratum.
-[[nodiscard]] Sample mixture_of(const std::vector<SetResult>& sets, std::span<const double> weights, std::size_t group,
-                                const std::vector<std::size_t>& of_stratum);
-/// So many rows, divided among the strata as the observed ones are.
-[[nodiscard]] std::vector<std::size_t> rows_like(const Sample& observed, std::size_t count);
 
 }  // namespace talus::calibration

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "talus/calibration/best_set.hpp"
+#include "talus/calibration/coverage.hpp"
 #include "talus/calibration/doubts.hpp"
+#include "talus/calibration/mixture.hpp"
 #include "talus/calibration/result_figures.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/calibration/svg.hpp"

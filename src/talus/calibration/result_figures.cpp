@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "talus/calibration/mixture.hpp"
 #include "talus/calibration/redraw.hpp"
 #include "talus/core/random.hpp"
 

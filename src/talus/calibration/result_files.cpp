@@ -8,7 +8,9 @@
 #include <optional>
 #include <sstream>
 
+#include "talus/calibration/coverage.hpp"
 #include "talus/calibration/doubts.hpp"
+#include "talus/calibration/mixture.hpp"
 #include "talus/calibration/result_figures.hpp"
 #include "talus/calibration/saved_samples.hpp"
 #include "talus/calibration/zone_prediction.hpp"
