@@ -148,7 +148,7 @@ TEST_F(Releases, OfMarksAreTakenRockByRock) {
 TEST_F(Releases, AreOutOfReachOneByOne) {
   std::string stops = "x_m,release\n";
   for (int k = 0; k < 8; ++k) stops += std::to_string(80 + k) + ",R1\n";
-  write("stops.csv", stops + "46,R3\n");
+  write("stops.csv", stops + "44,R3\n");
   const CalibrationResult result = calibrate(prepared());
   EXPECT_NE(result.warnings.text().find("stops, release \"R3\": no parameters within the ranges give a runout of less "
                                         "than"),

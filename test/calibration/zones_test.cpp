@@ -101,7 +101,7 @@ TEST_F(Zones, RecoverAKnownParameter) {
   const double low = weighted_quantile(values, weights, 0.05), high = weighted_quantile(values, weights, 0.95);
   EXPECT_LT(low, 0.75);
   EXPECT_GT(high, 0.75);
-  EXPECT_LT(high - low, 0.16);  // of 0.27
+  EXPECT_LT(high - low, 0.16);  // of 0.27; 0.154, since Rn falls with speed, which hides a part of what Rt does
   EXPECT_TRUE(agrees(result.sets[result.best]));
   EXPECT_EQ(result.misfit, 1);
   std::ifstream in(path("out/report.html"));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "talus/calibration/coverage.hpp"
 #include "talus/calibration/reach.hpp"
 #include "talus/calibration/touched_ground.hpp"
 #include "talus/project/values.hpp"
@@ -69,15 +70,20 @@ class Doubts {
          "Increase most_draws (the same command continues), or rocks (their chance makes likelihoods uneven)");
   }
 
-  /// Compares the scores of the even and the odd rocks of the best set.
+  /// Compares the scores of two halves of the rocks of the best set: of each release every other rock.
   void of_seed(const std::vector<GroupComparison>& comparisons) {
     const SetResult& best = result_.sets[result_.best];
     for (std::size_t g = 0; g < comparisons.size(); ++g) {
       const std::vector<Eigen::Index> first = best.samples[g].first_rows();
       if (first.size() <= 4) continue;
       std::vector<Eigen::Index> even, odd;
+      std::vector<bool> is_odd(best.samples[g].stratum_count());
       for (std::size_t rock = 0; rock + 1 < first.size(); ++rock) {
-        for (Eigen::Index row = first[rock]; row < first[rock + 1]; ++row) (rock % 2 == 0 ? even : odd).push_back(row);
+        const std::size_t release =
+            best.samples[g].has_strata() ? best.samples[g].strata[static_cast<std::size_t>(first[rock])] : 0;
+        std::vector<Eigen::Index>& half = is_odd[release] ? odd : even;
+        is_odd[release].flip();
+        for (Eigen::Index row = first[rock]; row < first[rock + 1]; ++row) half.push_back(row);
       }
       const double change = std::abs(comparisons[g].distance(best.samples[g].part(even)) -
                                      comparisons[g].distance(best.samples[g].part(odd)));
