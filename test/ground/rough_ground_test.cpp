@@ -7,6 +7,7 @@
 
 #include "sampling/goodness_of_fit.hpp"
 #include "support/dice.hpp"
+#include "talus/core/tolerances.hpp"
 
 namespace talus {
 namespace {
@@ -63,14 +64,14 @@ std::vector<double> ahead(const std::vector<FaceTilt>& faces) {
   return angles;
 }
 
-/// The distribution function of a density on (-max_tilt, max_tilt), by the midpoint rule.
+/// The distribution function of a density on (-tolerance::max_tilt, tolerance::max_tilt), by the midpoint rule.
 std::function<double(double)> integrated(const std::function<double(double)>& density) {
   constexpr int steps = 200'000;
-  constexpr double width = 2 * max_tilt / steps;
+  constexpr double width = 2 * tolerance::max_tilt / steps;
   auto sums = std::make_shared<std::vector<double>>(1, 0.0);
-  for (int k = 0; k < steps; ++k) sums->push_back(sums->back() + density(-max_tilt + (k + 0.5) * width));
+  for (int k = 0; k < steps; ++k) sums->push_back(sums->back() + density(-tolerance::max_tilt + (k + 0.5) * width));
   return [sums](double x) {
-    const double place = (x + max_tilt) / width;
+    const double place = (x + tolerance::max_tilt) / width;
     const auto k = static_cast<std::size_t>(std::clamp(place, 0.0, steps - 1.0));
     const double between = (*sums)[k] + (place - static_cast<double>(k)) * ((*sums)[k + 1] - (*sums)[k]);
     return std::clamp(between / sums->back(), 0.0, 1.0);
@@ -121,11 +122,11 @@ TEST(RoughGround, In3dOverBothTilts) {
   for (const double angle : {0.0, 0.4, std::numbers::pi / 2}) {
     double all = 0, psi_sum = 0, psi_squares = 0, chi_squares = 0, chi_fourth = 0;
     constexpr int steps = 600;
-    constexpr double width = 2 * max_tilt / steps;
+    constexpr double width = 2 * tolerance::max_tilt / steps;
     for (int i = 0; i < steps; ++i) {
-      const double psi = -max_tilt + (i + 0.5) * width;
+      const double psi = -tolerance::max_tilt + (i + 0.5) * width;
       for (int k = 0; k < steps; ++k) {
-        const double chi = -max_tilt + (k + 0.5) * width;
+        const double chi = -tolerance::max_tilt + (k + 0.5) * width;
         const double length = std::sqrt(1 + std::pow(std::tan(psi), 2) + std::pow(std::tan(chi), 2));
         const double shown = std::max(0.0, (std::sin(angle) + std::tan(psi) * std::cos(angle)) / length);
         const double weight = ground.density(psi) * (ground.density(chi) + ground.density(-chi)) * shown;

@@ -115,6 +115,9 @@ inline constexpr double edge_step = 0.01;
 /// direction that it has where the step would end, far beyond what the sphere meets on the way.
 inline constexpr double longest_step_in_radii = 100;
 
+/// Faces of rough ground are tilted by at most this [rad], just under a quarter turn: they must not face downwards.
+inline constexpr double max_tilt = 0.95 * 1.5707963267948966;
+
 /// A rock that has not moved further than this is in the same place [m].
 inline constexpr double same_place = 1e-3;
 /// And it has the same spin, if the speed of its surface by spin has not changed by more than this [m/s].

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
-#include <numbers>
+
+#include "talus/core/tolerances.hpp"
 
 namespace talus {
 
 namespace {
 
-constexpr double least_u = 0x1p-53;  // of the uniform numbers that are drawn
+constexpr double min_u = 0x1p-53;  // of the uniform numbers that are drawn
 
 /// Borders of the cells of quantiles: 1/64 wide and, in both tails, halved down to a millionth, because a tilt that one
 /// face in a million has may be as good as a wall.
@@ -42,9 +43,9 @@ double RoughGround::slope_of_heights(double u) const {
 }
 
 double RoughGround::quantile(double u) const {
-  const double within = std::clamp(u, least_u, 1 - least_u);
+  const double within = std::clamp(u, min_u, 1 - min_u);
   const double tilt = has_tilt() ? tilt_.draw(within) : std::atan(slope_of_heights(within));
-  return std::clamp(tilt, -max_tilt, max_tilt);
+  return std::clamp(tilt, -tolerance::max_tilt, tolerance::max_tilt);
 }
 
 void RoughGround::make_cells() {

@@ -38,9 +38,6 @@ struct FaceTilt {
   double ahead = 0, aside = 0;
 };
 
-/// Tilts are limited to just under a quarter turn [rad].
-inline constexpr double max_tilt = 0.95 * 1.5707963267948966;
-
 class RoughGround {
  public:
   /// Smooth.

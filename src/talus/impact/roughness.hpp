@@ -6,17 +6,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "talus/core/tolerances.hpp"
 #include "talus/core/vec.hpp"
 
 namespace talus {
 
 /// The normal `n`, tilted by `ahead` against the heading (positive: the ground rises against the rock) and by `aside`
-/// about it [rad]. `heading`: a tangential unit vector. Angles are limited to just under a quarter turn.
+/// about it [rad]. `heading`: a tangential unit vector. Angles are limited to tolerance::max_tilt.
 [[nodiscard]] inline Vec3 tilted_normal(const Vec3& n, const Vec3& heading, double ahead, double aside) {
-  static constexpr double most = std::numbers::pi / 2 * 0.95;
-  const auto slope = [](double angle) { return std::tan(std::clamp(angle, -most, most)); };
+  const auto slope = [](double angle) {
+    return std::tan(std::clamp(angle, -tolerance::max_tilt, tolerance::max_tilt));
+  };
   return (n - slope(ahead) * heading + slope(aside) * n.cross(heading)).normalized();
 }
 
