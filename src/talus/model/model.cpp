@@ -29,9 +29,8 @@ talus::Material material_of(const Material& m, const Analysis& a) {
   material.normal_restitution = sampler_of("normal_restitution", m.normal_restitution);
   material.tangential_restitution = sampler_of("tangential_restitution", m.tangential_restitution);
   material.friction_angle = sampler_of("friction_angle_deg", m.friction_angle_deg, radians);
-  const bool has_heights = a.model == RockModel::rigid_sphere || a.roughness == RoughnessLaw::faces;
   material.roughness = RoughGround(sampler_of("roughness_deg", m.roughness_deg, radians), m.roughness_spacing_m,
-                                   has_heights ? m.roughness_amplitude_m : 0);
+                                   a.has_heights_of_roughness() ? m.roughness_amplitude_m : 0);
   material.dynamic_friction = sampler_of("dynamic_friction", m.dynamic_friction);
   material.rolling_friction = sampler_of("rolling_friction", m.rolling_friction);
   if (m.forest_drag_kg_s) {

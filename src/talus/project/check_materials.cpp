@@ -22,9 +22,12 @@ bool gives(const toml::table& row, const Material& material, std::string_view ke
   return row.contains(key) || (entry && entry->find(key));
 }
 
+bool has_tilt(const Material& material) {
+  return material.roughness_deg.mean > 0 || material.roughness_deg.kind != DistributionKind::none;
+}
+
 bool is_rough(const Material& material) {
-  return material.roughness_deg.mean > 0 || material.roughness_deg.kind != DistributionKind::none ||
-         (material.roughness_amplitude_m > 0 && material.roughness_spacing_m > 0);
+  return has_tilt(material) || (material.roughness_amplitude_m > 0 && material.roughness_spacing_m > 0);
 }
 
 }  // namespace
@@ -51,8 +54,7 @@ void MaterialRules::check_forest(const Material& material, const toml::table& ro
 
 /// The tilts of faces are given in one way.
 void MaterialRules::check_faces(const Material& material, const toml::table& row, const std::string& where) const {
-  const bool has_tilt = material.roughness_deg.mean > 0 || material.roughness_deg.kind != DistributionKind::none;
-  if (!has_tilt || !(material.roughness_amplitude_m > 0)) return;
+  if (!has_tilt(material) || !(material.roughness_amplitude_m > 0)) return;
   const toml::node* amplitude = row.get("roughness_amplitude_m");
   report({amplitude, &row, "roughness_amplitude_m"}, where, "roughness_amplitude_m is given beside roughness_deg",
          "both say how the faces of the ground are tilted",

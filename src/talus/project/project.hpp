@@ -54,6 +54,10 @@ struct Analysis {
   bool tangential_crsp_damping = true;        // rigid sphere only
   bool rolling_resistance_in_impacts = true;  // rigid sphere only
 
+  /// Whether `roughness_amplitude_m` of materials has an effect.
+  [[nodiscard]] bool has_heights_of_roughness() const {
+    return model == RockModel::rigid_sphere || roughness == RoughnessLaw::faces;
+  }
   /// The defaults with these laws.
   [[nodiscard]] static Analysis of_laws(LawSet laws) {
     Analysis analysis;

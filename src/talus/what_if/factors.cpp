@@ -75,8 +75,7 @@ class Varying {
     if (kind_.key == "rolling_friction" && is_sphere) change(&Material::rolling_friction, "rolling_friction");
     if (kind_.key == "roughness") {
       change(&Material::roughness_deg, "roughness_deg");
-      const bool has_heights = is_sphere || before_.analysis.roughness == RoughnessLaw::faces;
-      if (has_heights && material.roughness_amplitude_m > 0) {
+      if (before_.analysis.has_heights_of_roughness() && material.roughness_amplitude_m > 0) {
         material.roughness_amplitude_m = number(material.roughness_amplitude_m, "material", "roughness_amplitude_m");
         changed("material", row, "roughness_amplitude_m");
       }
