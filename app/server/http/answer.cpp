@@ -12,21 +12,21 @@ Answer json_answer(const Json& json, int status) {
 namespace {
 
 /// No page shows more; each takes kilobytes.
-constexpr std::size_t most_problems = 1000;
+constexpr std::size_t max_problems = 1000;
 
 /// All problems, or the first ones, errors before warnings, and how many more there are.
 Problems first_of(const Problems& problems) {
-  if (problems.list().size() <= most_problems) return problems;
+  if (problems.list().size() <= max_problems) return problems;
   Problems first;
   std::size_t count = 0;
   for (const Severity severity : {Severity::error, Severity::warning}) {
     for (const Problem& problem : problems.list()) {
-      if (problem.severity == severity && count++ < most_problems) first.add(problem);
+      if (problem.severity == severity && count++ < max_problems) first.add(problem);
     }
   }
   first.add({.severity = problems.has_errors() ? Severity::error : Severity::warning,
-             .what = fmt::format("there are {} more problems", problems.list().size() - most_problems),
-             .why = fmt::format("only {} are listed", most_problems)});
+             .what = fmt::format("there are {} more problems", problems.list().size() - max_problems),
+             .why = fmt::format("only {} are listed", max_problems)});
   return first;
 }
 

@@ -61,9 +61,9 @@ UncertaintyCount::UncertaintyCount(EnsembleRocks run, std::vector<std::string> l
     places_ += (end - run_.seeders_begin[k] + ensembles - 1) / ensembles;
   }
   const std::size_t quantities = 3 + 3 * lines_.size();
-  constexpr double most_kept = 4e6;  // values of 8 bytes
+  constexpr double max_kept = 4e6;  // values of 8 bytes
   const double all = static_cast<double>(places_) * static_cast<double>(ensembles * quantities);
-  step_ = static_cast<std::uint64_t>(std::max(1.0, std::ceil(all / most_kept)));
+  step_ = static_cast<std::uint64_t>(std::max(1.0, std::ceil(all / max_kept)));
   const std::uint64_t kept = (places_ + step_ - 1) / step_ * ensembles;
   kept_.assign(quantities, std::vector<double>(kept, std::numeric_limits<double>::quiet_NaN()));
 }

@@ -8,8 +8,8 @@ namespace talus {
 
 std::optional<int> zone_in_easting(double easting) {
   const double zone = std::floor(easting / metres_per_zone), within = easting - zone * metres_per_zone;
-  constexpr double most_zones = 60, west = 1e5, east = 9e5;  // of zones of 3 and 6 degrees with 500 km at their centre
-  if (!(zone >= 1 && zone <= most_zones && within > west && within < east)) return std::nullopt;
+  constexpr double max_zones = 60, west = 1e5, east = 9e5;  // of zones of 3 and 6 degrees with 500 km at their centre
+  if (!(zone >= 1 && zone <= max_zones && within > west && within < east)) return std::nullopt;
   return static_cast<int>(zone);
 }
 

@@ -113,24 +113,24 @@ class BandReader {
 
   void check_values(RasterFile& out) {
     std::uint64_t impossible = 0;
-    double most_extreme = 0;
+    double farthest_from_0 = 0;
     Extremes extremes;
     for (const float z : out.grid.z) {
       if (std::isnan(z)) {
         ++out.without_data;
       } else if (z < lowest_elevation_m || z > highest_elevation_m) {
         ++impossible;
-        if (std::abs(z) > std::abs(most_extreme)) most_extreme = z;
+        if (std::abs(z) > std::abs(farthest_from_0)) farthest_from_0 = z;
       } else {
         extremes.add(z);
       }
     }
     if (impossible > 0) {
-      problems_.stop(fmt::format("has elevations such as {:.10g} m", most_extreme),
+      problems_.stop(fmt::format("has elevations such as {:.10g} m", farthest_from_0),
                      fmt::format("{} of {} cells are below {:g} m or above {:g} m; they are probably no-data values "
                                  "that the file does not declare",
                                  impossible, out.grid.z.size(), lowest_elevation_m, highest_elevation_m),
-                     declare(most_extreme));
+                     declare(farthest_from_0));
     }
     check_fillers(out.grid, extremes);
     if (!has_surface(out.grid)) {

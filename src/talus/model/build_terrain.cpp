@@ -77,15 +77,15 @@ void refuse_degrees(const RawMesh& mesh, const Project& project) {
 void refuse_heights(const RawMesh& mesh, const std::filesystem::path& file, UpAxis up) {
   const Eigen::Index axis = up == UpAxis::y ? 1 : 2;
   std::size_t impossible = 0;
-  double most_extreme = 0;
+  double farthest_from_0 = 0;
   for (const Vec3& v : mesh.vertices) {
     if (v[axis] >= lowest_elevation_m && v[axis] <= highest_elevation_m) continue;
     ++impossible;
-    if (!(std::abs(v[axis]) <= std::abs(most_extreme))) most_extreme = v[axis];
+    if (!(std::abs(v[axis]) <= std::abs(farthest_from_0))) farthest_from_0 = v[axis];
   }
   if (impossible == 0) return;
   throw BadInput(Problem{.file = file.string(),
-                         .what = fmt::format("has heights such as {:.10g} m", most_extreme),
+                         .what = fmt::format("has heights such as {:.10g} m", farthest_from_0),
                          .why = fmt::format("{} of {} vertices are below {:g} m or above {:g} m", impossible,
                                             mesh.vertices.size(), lowest_elevation_m, highest_elevation_m),
                          .hint = "Convert the coordinates to metres, or remove what is not ground"});

@@ -23,8 +23,8 @@ namespace talus::project {
 
 namespace {
 
-constexpr std::uint64_t rocks_per_sampled = 20, most_sampled = 200;
-constexpr std::uint64_t least_sampled = 72;  // statistics/order_statistics.hpp
+constexpr std::uint64_t rocks_per_sampled = 20, max_sampled = 200;
+constexpr std::uint64_t min_sampled = 72;  // statistics/order_statistics.hpp
 constexpr double percentile = 0.95, confidence = 0.95, factor = 2;
 
 bool is_default(const Distribution& given, const Distribution& usual) {
@@ -103,8 +103,8 @@ std::vector<std::uint64_t> fair_sample(std::uint64_t rocks, std::uint64_t sample
 }
 
 std::optional<ModelComparison> compare_models(const Project& project, const Model& model, int threads) {
-  const std::uint64_t sample = std::min(model.rocks() / rocks_per_sampled, most_sampled);
-  if (sample < least_sampled || !model.ensembles.empty()) return std::nullopt;
+  const std::uint64_t sample = std::min(model.rocks() / rocks_per_sampled, max_sampled);
+  if (sample < min_sampled || !model.ensembles.empty()) return std::nullopt;
   Problems known;  // the model was built with these samples
   Project with_other = read_samples(project, known);
   RockModel& other = with_other.analysis.model;

@@ -357,7 +357,7 @@ constexpr double least_deviation = 1e-4;
 constexpr double most_deviation_of_mean = 10;
 constexpr double most_variance_of_beta = 0.99;
 // Boost's quantile of a beta distribution throws if a limit is further away than 1e14 standard deviations.
-constexpr double most_width_of_beta = 1e12;
+constexpr double max_width_of_beta = 1e12;
 constexpr double least_probability = 1e-6;
 
 Fault fault_in_shape(const Distribution& given) {
@@ -393,11 +393,11 @@ Fault fault_in_shape(const Distribution& given) {
           "\"normal\"",
           s, least);
     }
-    if (std::max(left, right) > most_width_of_beta * s) {
+    if (std::max(left, right) > max_width_of_beta * s) {
       return fmt::format(
           "{} is {:.4g} (a beta distribution expects at most {:g} times its std_dev, {:.4g}). Without a limit on one side, "
           "use \"gamma\" or \"lognormal\"",
-          left > right ? "rel_min" : "rel_max", std::max(left, right), most_width_of_beta, most_width_of_beta * s);
+          left > right ? "rel_min" : "rel_max", std::max(left, right), max_width_of_beta, max_width_of_beta * s);
     }
   }
   return {};

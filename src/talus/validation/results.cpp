@@ -83,15 +83,15 @@ namespace {
 /// What the rows say in short, so that the page states no number that they do not have. Expects one row or more.
 std::string findings(std::span<const ResultRow> rows) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  double farthest = 0, least_spread = infinity, most_spread = -infinity, least_score = infinity, most_score = -infinity;
+  double farthest = 0, min_spread = infinity, max_spread = -infinity, min_score = infinity, max_score = -infinity;
   std::size_t runouts = 0, places = 0, halves = 0, bands = 0;
   for (const ResultRow& row : rows) {
     farthest = std::max(farthest, std::abs(row.mean - row.observed_mean));
     const double spread = row.std_dev - row.observed_std_dev, score = row.crps / row.crps_prior;
-    least_spread = std::min(least_spread, spread);
-    most_spread = std::max(most_spread, spread);
-    least_score = std::min(least_score, score);
-    most_score = std::max(most_score, score);
+    min_spread = std::min(min_spread, spread);
+    max_spread = std::max(max_spread, spread);
+    min_score = std::min(min_score, score);
+    max_score = std::max(max_score, score);
     const auto is_within = [](auto count, double least, double most) {
       return static_cast<double>(count) >= least && static_cast<double>(count) <= most;
     };
@@ -106,8 +106,7 @@ std::string findings(std::span<const ResultRow> rows) {
       "- the score of the runout is {:.0f} to {:.0f} % of the prior's; it is better than that of a constant in {}, and "
       "that of the place in {};\n"
       "- as many runs as expected lie within the central 50 % in {}, and within 90 % in {}.\n",
-      rows.size(), farthest, least_spread, most_spread, 100 * least_score, 100 * most_score, runouts, places, halves,
-      bands);
+      rows.size(), farthest, min_spread, max_spread, 100 * min_score, 100 * max_score, runouts, places, halves, bands);
 }
 
 }  // namespace
