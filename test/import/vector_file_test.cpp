@@ -212,6 +212,26 @@ TEST_F(VectorFileTest, SurfacesOfFacetsAreTheirFacets) {
 }
 
 TEST_F(VectorFileTest, HeightsThatAreNotUsedNeedNotExist) {
+  // GDAL writes no NaN into a GeoPackage: the bytes of a height of 1234.5 are changed in the file.
+  const auto with_nan = [&](const std::string& geometry) {
+    make({{geometry, "a"}});
+    const auto bytes_of_number = [](double x) { return std::string(reinterpret_cast<const char*>(&x), sizeof x); };
+    const std::string height = bytes_of_number(1234.5), nan = bytes_of_number(std::nan(""));
+    std::ifstream in(path("ground.gpkg"), std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::size_t changed = 0;
+    for (auto at = bytes.find(height); at != std::string::npos; at = bytes.find(height, at), ++changed)
+      bytes.replace(at, height.size(), nan);
+    ASSERT_GT(changed, 0U);
+    std::ofstream(path("ground.gpkg"), std::ios::binary) << bytes;
+  };
+  with_nan("POLYGON Z ((0 0 5, 9 0 1234.5, 9 9 5, 0 0 5))");
+  EXPECT_THAT(read(polygons).features.at(0).parts.at(0).lists,
+              ElementsAre(ElementsAre(Vec3(0, 0, 5), Vec3(9, 0, 0), Vec3(9, 9, 5))));
+  with_nan("LINESTRING Z (0 0 5, 9 0 1234.5, 9 9 5)");
+  EXPECT_EQ(read().features.size(), 1U);
+  EXPECT_EQ(refusal({.heights_are_used = true}),
+            "ground.gpkg: feature 1 has the coordinates (9, 0, nan) (coordinates must be finite)");
   make({{"LINESTRING Z (0 0 5, 9 0 -1.7976931348623157e308, 9 9 5)", "a"}});
   EXPECT_EQ(read().features.size(), 1U);
   EXPECT_EQ(

@@ -27,7 +27,7 @@ inline const std::vector<NamedModel> models{
     {"SlidingInClosedForm", "sliding/sliding.toml", {"analysis.sliding=closed_form"}},
     {"Barrier", "barrier/barrier.toml", {}},
     {"Bowl", "bowl/bowl.toml", {}},
-    {"BowlSphere", "bowl/bowl.toml", {"analysis.model=rigid_sphere"}},
+    {"BowlSphere", "bowl/bowl.toml", {"analysis.model=rigid_sphere"}, 55},
     {"Crater", "maungawhau/crater.toml", {}, 84},
     {"CraterLumpedMass", "maungawhau/crater.toml", {"analysis.model=lumped_mass"}, 75},
     {"CraterForest",
