@@ -98,6 +98,7 @@ test.describe('over a terrain', () => {
   test.beforeEach(async ({ workbench: page }) => {
     await openExample(page, 'Tutorial 1, in 3D');
     await page.locator('.scene canvas').first().press('2'); // plan
+    await page.locator('.scene canvas').first().press('8'); // of the whole model
     await page.waitForTimeout(400);
   });
 

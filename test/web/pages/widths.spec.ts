@@ -31,6 +31,7 @@ test('long names fit into narrow windows', async ({ workbench: page }) => {
 test('a popover stays within the view', async ({ workbench: page }) => {
   await openExample(page, 'Tutorial 1, in 3D');
   await page.setViewportSize({ width: 800, height: 800 });
+  await page.getByRole('button', { name: 'View tools' }).click();
   await page.locator('summary').filter({ hasText: 'Filter' }).click();
   const [panel, picture] = [page.locator('.popover[open] .content'), page.locator('.picture')];
   const isInside = async () => {
