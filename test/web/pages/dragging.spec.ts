@@ -132,7 +132,7 @@ test.describe('over a terrain', () => {
     const at = await pixelOf(page, [20, 25]);
     await page.mouse.move(...at);
     await page.mouse.down({ button: 'right' });
-    await page.mouse.move(at[0] + 60, at[1] + 20, { steps: 3 });
+    await page.mouse.move(at[0] - 30, at[1] + 20, { steps: 3 });
     await page.mouse.up({ button: 'right' });
     await expect(page.getByRole('menu')).toHaveCount(0);
     await expect.poll(() => page.url()).toMatch(/view=[-\d.,]+$/);
