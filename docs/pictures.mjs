@@ -71,13 +71,13 @@ const picturesOfExamples = (browser, folder) =>
     }
   });
 
-/// The predictions of half A of the meadow at Tschamut by the second model; each half has three figures.
+/// The predictions of half A of the meadow at Tschamut by the first model.
 async function pictureOfValidation(browser, folder) {
   execFileSync(program, ['validate', 'tschamut2014', '--quiet', '-o', folder], { stdio: 'ignore' });
   const page = await browser.newPage({ viewport: { width: 1140, height: 900 } });
   await page.goto(`file://${folder}/tschamut2014/report.html`);
-  const first = await page.locator('figure').nth(6).boundingBox();
-  const second = await page.locator('figure').nth(7).boundingBox();
+  const first = await page.locator('figure').nth(0).boundingBox();
+  const second = await page.locator('figure').nth(1).boundingBox();
   const clip = {
     x: first.x - 8,
     y: first.y - 8,
