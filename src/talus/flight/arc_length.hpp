@@ -1,6 +1,6 @@
 #pragma once
 // The length of a parabola: the integral of the speed, whose square is w^2 + (u + a t)^2 with u the velocity along the
-// acceleration a, and w that across it. With s = sqrt(u^2 + w^2) it is the difference of (u s + w^2 asinh(u / w)) / 2
+// acceleration a, and w that across it. With s = sqrt(u^2 + w^2) it is the difference of (u s + w^2 ln(u + s)) / 2
 // between the ends, over a. Checked by test/flight/arc_length_test.cpp.
 
 #include <algorithm>
@@ -15,12 +15,15 @@ namespace talus {
 [[nodiscard]] inline double arc_length(const Parabola& path, double t) {
   const double chord = (path.at(t) - path.p).norm(), a = path.a.norm();
   if (!(a * t > 0)) return chord;
-  const double u0 = path.v.dot(path.a) / a, u1 = u0 + a * t, w = path.v.cross(path.a).norm() / a;
-  const auto primitive = [w](double u) {
-    if (w == 0) return 0.5 * u * std::abs(u);
-    return 0.5 * (u * std::sqrt(u * u + w * w) + w * w * std::asinh(u / w));
-  };
-  return std::max(chord, (primitive(u1) - primitive(u0)) / a);  // cancels where the path is almost straight
+  const double u0 = path.v.dot(path.a) / a, u1 = u0 + a * t, ww = path.v.cross(path.a).squaredNorm() / (a * a);
+  const double s0 = std::sqrt(u0 * u0 + ww), s1 = std::sqrt(u1 * u1 + ww);
+  double twice = u1 * s1 - u0 * s0;
+  constexpr double negligible = 1e-200;  // [m2/s2], so that the quotient does not overflow
+  if (ww > negligible) {
+    const auto sum = [ww](double u, double s) { return u < 0 ? ww / (s - u) : s + u; };  // without cancellation
+    twice += ww * std::log(sum(u1, s1) / sum(u0, s0));
+  }
+  return std::max(chord, 0.5 * twice / a);  // cancels where the path is almost straight
 }
 
 /// When a path has the length `way` [s]; nullopt if not before `t`. Expects a path that does not turn back before `t`.
