@@ -14,6 +14,7 @@
 #include "support/places.hpp"
 #include "talus/calibration/observation_table.hpp"
 #include "talus/validation/experiments.hpp"
+#include "talus/validation/prediction.hpp"
 #include "talus/validation/results.hpp"
 
 namespace talus::validation {
@@ -87,6 +88,25 @@ TEST_F(BuiltInExperiments, ResultsInTheDocumentationIsNotStale) {
   }
   if (std::getenv("TALUS_RENEW_REFERENCE") != nullptr) std::ofstream(file) << page;
   EXPECT_EQ(page, file_text(file)) << "run this test with TALUS_RENEW_REFERENCE=1";
+}
+
+/// What does not follow from a calibration is computed again: another law, terrain or release shows here within seconds.
+TEST_F(BuiltInExperiments, ResultsAreThoseOfThisProgram) {
+  for (const std::string& name : experiment_names()) {
+    Problems doubts;
+    const Experiment experiment = read_experiment(experiments_folder / name, doubts);
+    TableReader<ResultRow> reader(experiments_folder / name / ResultRow::file_name);
+    for (const calibration::Study& study : experiment.studies) {
+      for (const Scores& prior : prior_scores(study)) {
+        ASSERT_TRUE(reader.next());
+        const ResultRow recorded = reader.whole();
+        constexpr const char* stale = "run make validate, and renew the results as CONTRIBUTING says";
+        EXPECT_NEAR(prior.runout, recorded.crps_prior, 1e-9) << recorded.model << ": " << stale;
+        EXPECT_NEAR(prior.place, recorded.place_prior, 1e-9) << recorded.model << ": " << stale;
+      }
+    }
+    EXPECT_FALSE(reader.next());
+  }
 }
 
 }  // namespace

@@ -313,12 +313,40 @@ void add_parameters(const PreparedStudy& learned, const CalibrationResult& resul
   }
 }
 
-}  // namespace
-
-std::vector<SitePrediction> predict_sites(const Study& study, const PredictionOptions& options) {
+std::vector<TargetSite> targets_of(const Study& study) {
   std::vector<TargetSite> targets;
   targets.reserve(study.sites.size());
   for (std::size_t site = 0; site < study.sites.size(); ++site) targets.emplace_back(study, site);
+  return targets;
+}
+
+/// The study of all sites but one.
+PreparedStudy without_site(const Study& study, std::size_t site, Problems& warnings) {
+  const auto is_other = [&](const std::string& name) { return name != study.sites[site].name; };
+  return {with_sites(study, is_other, study.rocks), nullptr, warnings};
+}
+
+/// Rocks of predictions have other draws than those of the sets.
+std::uint64_t prediction_seed(const Study& study) { return study.seed + 1; }
+
+Scores prior_scores_of(const TargetSite& target, const PreparedStudy& learned, const Study& study, int threads) {
+  return scores_of(target.runs(), target.simulate(learned, prior_draws(learned), threads, prediction_seed(study)));
+}
+
+}  // namespace
+
+std::vector<Scores> prior_scores(const Study& study, int threads) {
+  const std::vector<TargetSite> targets = targets_of(study);
+  std::vector<Scores> scores;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    Problems warnings;
+    scores.push_back(prior_scores_of(targets[k], without_site(study, k, warnings), study, threads));
+  }
+  return scores;
+}
+
+std::vector<SitePrediction> predict_sites(const Study& study, const PredictionOptions& options) {
+  const std::vector<TargetSite> targets = targets_of(study);
   std::vector<SitePrediction> predictions;
   const auto draws = static_cast<std::size_t>(study.draws);
   for (std::size_t k = 0; k < targets.size(); ++k) {
@@ -332,8 +360,7 @@ std::vector<SitePrediction> predict_sites(const Study& study, const PredictionOp
       site.learned_from.insert(site.learned_from.end(), targets[other].runs().begin(), targets[other].runs().end());
     }
     site.from = fmt::format("{}", fmt::join(others, ", "));
-    const auto has = [&](const std::string& name) { return name != site.site; };
-    const PreparedStudy learned(with_sites(study, has, study.rocks), nullptr, site.warnings);
+    const PreparedStudy learned = without_site(study, k, site.warnings);
     const CalibrationResult result =
         calibration::calibrate(learned, {.threads = options.threads, .progress = [&](std::size_t done, std::size_t) {
                                            if (options.progress)
@@ -344,10 +371,9 @@ std::vector<SitePrediction> predict_sites(const Study& study, const PredictionOp
     site.effective_sets = result.effective_sets;
     add_parameters(learned, result, site);
     const TargetSite& target = targets[k];
-    const std::uint64_t seed = study.seed + 1;  // rocks of the predictions have other draws than those of the sets
-    auto stops = target.simulate(learned, draws_of(result), options.threads, seed);
+    auto stops = target.simulate(learned, draws_of(result), options.threads, prediction_seed(study));
     site.posterior = scores_of(target.runs(), stops);
-    site.prior = scores_of(target.runs(), target.simulate(learned, prior_draws(learned), options.threads, seed));
+    site.prior = prior_scores_of(target, learned, study, options.threads);
     site.constant = scores_of_constant(target.runs(), site.learned_from);
     add_runs(target.runs(), std::move(stops), site);
     site.in_50 = coverage(site, 0.5);

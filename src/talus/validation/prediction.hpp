@@ -84,4 +84,7 @@ struct PredictionOptions {
 [[nodiscard]] std::vector<SitePrediction> predict_sites(const calibration::Study& study,
                                                         const PredictionOptions& options);
 
+/// The scores of the prior of each site. They follow from laws, terrain, releases and ranges without a calibration.
+[[nodiscard]] std::vector<Scores> prior_scores(const calibration::Study& study, int threads = 0);
+
 }  // namespace talus::validation
