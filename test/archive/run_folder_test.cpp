@@ -207,7 +207,7 @@ TEST(RunFolderRefuses, SummariesOfAnotherShape) {
 TEST(RunFolderRefuses, SummariesWithoutAKey) {
   const auto whole = sample_run::summary("Tutorial 1");
   for (const auto& [key, value] : whole.items()) {
-    if (key == "inputs" || key == "releases") continue;  // of the first process only; new
+    if (key == "inputs" || key == "releases") continue;  // of the first process only; earlier runs lack the releases
     auto summary = whole;
     summary.erase(key);
     EXPECT_EQ(message_about("summary.json", summary.dump()),

@@ -158,8 +158,8 @@ range = [29, 31]
   ASSERT_EQ(coverage.size(), 1U);
   EXPECT_TRUE(coverage[0].is_too_narrow()) << coverage[0].within_90;
   EXPECT_EQ(coverage[0].observations, 40U);
-  EXPECT_EQ(coverage[0].least_expected, 31U);  // 2.5 % of the binomial distribution of 40 trials with 0.9
-  EXPECT_EQ(coverage[0].most_expected, 39U);
+  EXPECT_EQ(coverage[0].min_expected, 31U);  // 2.5 % of the binomial distribution of 40 trials with 0.9
+  EXPECT_EQ(coverage[0].max_expected, 39U);
   EXPECT_NE(result.warnings.text().find("of 40 observations that were held out lie within the central 90 % of their "
                                         "predicted runout (expected at least"),
             std::string::npos)

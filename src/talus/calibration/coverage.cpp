@@ -22,8 +22,8 @@ std::vector<HeldOutCoverage> coverage_of(const std::vector<HeldOut>& held_out) {
   constexpr double part = 0.9, central = 0.95;
   for (HeldOutCoverage& each : all) {
     const auto [least, most] = central_counts(each.observations, part, central);
-    each.least_expected = static_cast<std::size_t>(least);
-    each.most_expected = static_cast<std::size_t>(most);
+    each.min_expected = static_cast<std::size_t>(least);
+    each.max_expected = static_cast<std::size_t>(most);
   }
   return all;
 }

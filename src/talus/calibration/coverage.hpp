@@ -15,8 +15,8 @@ namespace talus::calibration {
 struct HeldOutCoverage {
   std::string group;
   Feature feature;
-  std::size_t observations = 0, within_90 = 0, least_expected = 0, most_expected = 0;
-  [[nodiscard]] bool is_too_narrow() const { return within_90 < least_expected; }
+  std::size_t observations = 0, within_90 = 0, min_expected = 0, max_expected = 0;
+  [[nodiscard]] bool is_too_narrow() const { return within_90 < min_expected; }
 };
 
 /// In the order of the features.

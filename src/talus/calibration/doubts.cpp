@@ -159,7 +159,7 @@ class Doubts {
       warn(each.group,
            fmt::format("{} of {} observations that were held out lie{} within the central 90 % of their predicted {}",
                        each.within_90, each.observations, each.within_90 == 1 ? "s" : "", each.feature.name),
-           fmt::format("expected at least {}: predictions are too narrow", each.least_expected),
+           fmt::format("expected at least {}: predictions are too narrow", each.min_expected),
            "Let a spread vary, such as roughness_deg or the std_dev of a property, or compare models with [[model]]");
     }
   }

@@ -245,7 +245,7 @@ class Page {
     for (const HeldOutCoverage& each : coverage_of(result_.held_out)) {
       out_ += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} to {}</td></tr>\n",
                           escaped(each.group), escaped(with_unit(each.feature.name, each.feature.unit)),
-                          each.observations, each.within_90, each.least_expected, each.most_expected);
+                          each.observations, each.within_90, each.min_expected, each.max_expected);
     }
     out_ += "</table>\n";
   }

@@ -212,7 +212,7 @@ std::string summary_of(const PreparedStudy& study, const CalibrationResult& resu
                                          {"name", each.feature.name},
                                          {"count", each.observations},
                                          {"within_90", each.within_90},
-                                         {"expected", {each.least_expected, each.most_expected}}});
+                                         {"expected", {each.min_expected, each.max_expected}}});
   }
   json["warnings"] = Json::array();
   for (const Problem& problem : result.warnings.list()) json["warnings"].push_back(problem.text());
