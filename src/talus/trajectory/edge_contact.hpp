@@ -5,7 +5,8 @@
 
 namespace talus {
 
-/// The direction of the edge that carries a sphere, unit; zero at a vertex.
+/// The direction of the edge that carries a sphere, unit; zero at a vertex. How far the sphere has sunk in does not
+/// matter.
 template <class Surface>
 [[nodiscard]] Vec3 edge_under(MovingRock<Surface>& rock, const Support& on) {
   const Vec3 point = rock.motion.position - rock.reach * on.normal;
@@ -14,8 +15,9 @@ template <class Surface>
   int sides = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
     const OutlineEdge& side = outline.edges[k];
-    if (std::abs((point - side.point).dot(side.inward)) > tolerance::on_edge_line) continue;
-    direction = side.inward.cross(outline.normal);
+    const Vec3 along = side.inward.cross(outline.normal);
+    if (std::abs((point - side.point).dot(along.cross(on.normal))) > tolerance::on_edge_line) continue;
+    direction = along;
     ++sides;
   }
   return sides == 1 ? direction : Vec3(Vec3::Zero());

@@ -35,6 +35,8 @@ concept GroundState = requires(MovingRock<Surface>& rock, State& state, Leg& leg
   { carrying(rock, state) } -> std::same_as<SupportPlanes>;
   /// The next leg also runs along a guide.
   { set_guide(state, Guide{}) } -> std::same_as<void>;
+  /// The guide of the next leg, or null.
+  { guide_of(state) } -> std::same_as<const Guide*>;
   /// Applies the state's side contact, if any, to this leg, and clears it.
   { apply_side_contact(rock, state, leg, t) } -> std::same_as<void>;
   /// The end of the plane, if the leg reaches it before `t`, which is then set to that time.
@@ -217,18 +219,30 @@ template <class Surface>
   return {};
 }
 
+/// Next to a guide the rock can only move along the line in which the guide meets its support: that part of its
+/// velocity and pull is left to it, and its spin. (If it were also pulled across the line, its slip would turn there,
+/// where it cannot go, and friction along that slip could drive it.)
+template <class Surface>
+void keep_along_guide(MovingRock<Surface>& rock, const Vec3& n, const Guide& guide, Footing& footing) {
+  const Vec3 e = n.cross(guide.normal).normalized();
+  Vec3& velocity = rock.motion.velocity;
+  velocity = velocity.dot(e) * e;
+  footing.pull = footing.pull.dot(e) * e;
+}
+
 /// One leg. Returns the state after it, or nullopt if the state has not changed.
 template <class Surface, class State>
 requires GroundState<State, Surface>
 [[nodiscard]] std::optional<NextState> take_leg(MovingRock<Surface>& rock, State& state) {
   Motion& motion = rock.motion;
-  const Footing footing = footing_of(rock, state);
+  Footing footing = footing_of(rock, state);
   rock.progress.record(motion, std::min(1.0, rock.laws.timestep / 0.01));
   if (rests(rock, state, footing) || rock.is_wedged()) return NextState{come_to_rest(rock)};
   if (motion.time >= rock.laws.max_time) return NextState{Ended{EndReason::maximum_time}};
   const bool stands = motion.velocity.squaredNorm() == 0;
   if (stands && !std::exchange(rock.stretch.has_turned, true)) rock.log.turn(motion);
 
+  if (const Guide* const guide = guide_of(state)) keep_along_guide(rock, state.on.normal, *guide, footing);
   Leg leg = next_leg(rock, state, footing);
   double t = std::min(leg.duration, rock.laws.max_time - motion.time);
   const SupportPlanes on = carrying(rock, state);

@@ -23,13 +23,19 @@ template <class Surface>
 /// Its other side already guides it.
 inline void set_guide(const InValley&, const Guide&) {}
 
+[[nodiscard]] inline const Guide* guide_of(const InValley&) { return nullptr; }
+
 template <class Surface>
 [[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const InValley& state) {
   return {state.on.normal, state.other.normal};
 }
 
+/// Each leg runs along the valley: rounding across it would grow, since friction acts along slip however small.
 template <class Surface>
-void apply_side_contact(const MovingRock<Surface>&, const InValley&, const Leg&, double) {}
+void apply_side_contact(const MovingRock<Surface>& rock, const InValley& state, Leg& leg, double&) {
+  leg = guided(leg, state.valley.direction);
+  if (rock.is_sphere()) leg.end_spin = spin_in_valley(rock, state, leg.end_spin);
+}
 
 template <class Surface>
 [[nodiscard]] std::optional<OutlineEdge> outline_ahead(MovingRock<Surface>& rock, const InValley& state,

@@ -34,6 +34,8 @@ template <class Surface>
 
 inline void set_guide(OnEdge& state, const Guide& guide) { state.side_contact = guide; }
 
+[[nodiscard]] inline const Guide* guide_of(const OnEdge& state) { return std::get_if<Guide>(&state.side_contact); }
+
 template <class Surface>
 [[nodiscard]] SupportPlanes carrying(MovingRock<Surface>& rock, const OnEdge& state) {
   SupportPlanes on;

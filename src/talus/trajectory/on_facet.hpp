@@ -38,6 +38,8 @@ template <class Surface>
 
 inline void set_guide(OnFacet& state, const Guide& guide) { state.side_contact = guide; }
 
+[[nodiscard]] inline const Guide* guide_of(const OnFacet& state) { return std::get_if<Guide>(&state.side_contact); }
+
 template <class Surface>
 [[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const OnFacet& state) {
   const Vec3* const side_contact = normal_of(state.side_contact);
@@ -167,9 +169,10 @@ template <class Surface>
   if (const auto exit = exit_at(rock, edge)) return leave_over_rim(rock, *exit);
   if (edge.beyond) {
     const Support next{rock.outline_of(*edge.beyond).normal, *edge.beyond};
+    const bool rises = next.normal.dot(edge.inward) > 0;
     if (rock.is_level(next.normal) || rock.grazes(next.normal)) {
       // The bottom of a valley, reached along it or over a crease too flat for an impact.
-      if (next.normal.dot(edge.inward) > 0) {
+      if (rises) {
         if (const auto valley = enter_valley(rock, state, next)) return *valley;
       }
       return continue_over(rock, state.on, state.friction, next);
@@ -179,6 +182,11 @@ template <class Surface>
       // tiny.
       rock.remember_contact(state.on);
       return strike(rock, {0, next.normal, next.facet, Feature::facet});
+    }
+    if (rises && rock.reach == 0) {
+      // At the foot of a wall, and not into it: gravity holds the rock there, or it slides on from it.
+      if (const auto valley = enter_valley(rock, state, next)) return *valley;
+      return OnFacet{state.on, state.friction, {}};
     }
   }
   if (rock.reach > 0 && normal_acceleration_on_edge(rock, state.on) > 0) {

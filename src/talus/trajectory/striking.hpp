@@ -41,14 +41,14 @@ template <class Surface>
   const Vec3 bottom =
       rock.motion.position - m.dot(rock.motion.position - before.position) / across.squaredNorm() * across;
   bool is_open = true;
-  rock.surface.supports(bottom, rock.reach, tolerance::one_contact,
-                        [&](const Vec3&, const Vec3&, double, FacetId facet) {
-                          const Vec3& third = rock.surface.normal(facet);
-                          const double gap = third.dot(bottom - rock.surface.point_of(facet)) - rock.reach;
-                          const bool is_side = third.dot(n) > 1 - tolerance::facet_normal ||
-                                               third.dot(m) > 1 - tolerance::facet_normal;
-                          is_open = is_open && (is_side || gap >= -contact_slack);
-                        });
+  rock.surface.supports(
+      bottom, rock.reach, tolerance::one_contact, [&](const Vec3& away, const Vec3&, double distance, FacetId facet) {
+        // A sphere may touch a third facet at its end alone, a point has no direction from a facet.
+        const Vec3& third = rock.is_sphere() ? away : rock.surface.normal(facet);
+        const double gap = rock.is_sphere() ? distance - rock.reach : third.dot(bottom - rock.surface.point_of(facet));
+        const bool is_side = third.dot(n) > 1 - tolerance::facet_normal || third.dot(m) > 1 - tolerance::facet_normal;
+        is_open = is_open && (is_side || gap >= -contact_slack);
+      });
   return is_open;
 }
 
@@ -92,10 +92,6 @@ template <class Surface>
     valley->friction = shared_friction(rock, friction, *valley);
     keep_along_valley(rock, *valley);
     return *valley;
-  }
-  if (const auto* guide = std::get_if<Guide>(&side_contact)) {
-    const Vec3 e = n.cross(guide->normal).normalized();
-    rock.motion.velocity = rock.motion.velocity.dot(e) * e;
   }
   if (is_on_facet) return OnFacet{on, friction, side_contact};
   return OnEdge{on, friction, side_contact};

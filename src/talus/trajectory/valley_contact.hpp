@@ -23,17 +23,20 @@ template <class Surface>
   return {middle, narrower, {state.friction.sphere.dynamic, state.friction.sphere.rolling / share}};
 }
 
-/// Keeps the velocity along the valley and, of a sphere's spin, the part about the axis across it. Slip
-/// between the two is left to friction.
+/// The part of a sphere's spin that a valley leaves it: about the axis across the valley.
+template <class Surface>
+[[nodiscard]] Vec3 spin_in_valley(const MovingRock<Surface>& rock, const InValley& state, const Vec3& spin) {
+  const Vec3 axis = rolling_plane(rock, state).normal.cross(state.valley.direction);
+  return spin.dot(axis) * axis;
+}
+
+/// Keeps the velocity along the valley, and of a sphere's spin what the valley leaves. Slip between the two is left to
+/// friction.
 template <class Surface>
 void keep_along_valley(MovingRock<Surface>& rock, const InValley& state) {
-  const Vec3& e = state.valley.direction;
   Motion& motion = rock.motion;
-  motion.velocity = motion.velocity.dot(e) * e;
-  if (rock.is_sphere()) {
-    const Vec3 axis = rolling_plane(rock, state).normal.cross(e);
-    motion.spin = motion.spin.dot(axis) * axis;
-  }
+  motion.velocity = motion.velocity.dot(state.valley.direction) * state.valley.direction;
+  if (rock.is_sphere()) motion.spin = spin_in_valley(rock, state, motion.spin);
 }
 
 }  // namespace talus
