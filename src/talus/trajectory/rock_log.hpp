@@ -7,7 +7,6 @@
 
 #include "talus/barriers/barrier.hpp"
 #include "talus/core/id.hpp"
-#include "talus/flight/arc_length.hpp"
 #include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
 #include "talus/rocks/motion.hpp"
@@ -87,10 +86,10 @@ struct Impact {
   MaterialId ground;
 };
 
-/// How far a rock has come [m].
+/// How far a rock has come, straight from end to end of each flight, each leg, and each glide over a facet [m].
 struct RockWays {
-  double flown = 0;      // along its parabolas
-  double on_ground = 0;  // slid or rolled: straight from end to end of each leg, and of each glide over a facet
+  double flown = 0;
+  double on_ground = 0;  // slid or rolled
 };
 
 class RockLog {
@@ -122,7 +121,7 @@ class RockLog {
   }
   /// A flight that starts with `motion` and covers `duration` of `path`.
   void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag = {}) {
-    ways.flown += arc_length(path, duration);
+    ways.flown += (path.at(duration) - path.p).norm();
     if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, {}, drag, {}, {}});
   }
   /// A leg along the ground, from `motion` to `then` in `duration` along `path`, on `facet`.
