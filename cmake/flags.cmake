@@ -43,6 +43,6 @@ endif()
 # namespaces must then differ between the files of a target.
 function(talus_unity target)
   if(TALUS_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
   endif()
 endfunction()

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Optional;
 
-ReportEnvelopes envelopes_of(const std::string& text) {
+ReportEnvelopes envelopes_read(const std::string& text) {
   const sample_run::Folder folder("report-envelopes");
   folder.write("envelopes.csv", text);
   return read_report_envelopes(folder.path / "envelopes.csv");
@@ -23,7 +23,7 @@ ReportEnvelopes envelopes_of(const std::string& text) {
 
 std::string envelopes_message(const std::string& text) {
   try {
-    (void)envelopes_of(text);
+    (void)envelopes_read(text);
   } catch (const BadInput& bad) {
     return bad.what();
   }
@@ -31,7 +31,7 @@ std::string envelopes_message(const std::string& text) {
 }
 
 TEST(ReportEnvelopes, HaveTheColumnsThatAreDrawn) {
-  const ReportEnvelopes read = envelopes_of(
+  const ReportEnvelopes read = envelopes_read(
       "x_m,passages,reach_share,energy_total_max_kJ,energy_translational_max_kJ,velocity_p95_m_s\n"
       "0.5,2,1,200,150,3.5\n1.5,0,0,,,\n");
   EXPECT_THAT(read.columns, ElementsAre("reach_share", "energy_total_max_kJ", "velocity_p95_m_s"));
@@ -50,7 +50,7 @@ TEST(ReportEnvelopes, CombineCellsByTheirMaximum) {
   for (std::size_t k = 0; k < rows; ++k) {
     text += fmt::format("{},{}\n", k, k + 2 < rows ? (k % 3 == 0 ? fmt::format("{}.5", k) : "0.25") : "");
   }
-  const ReportEnvelopes read = envelopes_of(text);
+  const ReportEnvelopes read = envelopes_read(text);
   EXPECT_EQ(read.cells_each, 3U);
   ASSERT_EQ(read.cells.size(), (rows + 2) / 3);
   for (std::size_t n = 0; n + 1 < read.cells.size(); ++n) {
@@ -59,7 +59,7 @@ TEST(ReportEnvelopes, CombineCellsByTheirMaximum) {
     EXPECT_THAT(read.cells[n].values, ElementsAre(Optional(3.0 * static_cast<double>(n) + 0.5)));
   }
   EXPECT_EQ(read.cells.back().to_x_m, static_cast<double>(rows - 1));
-  EXPECT_EQ(envelopes_of(text.substr(0, text.find("\n1000,") + 1)).cells_each, 1U) << "as many as a page can show";
+  EXPECT_EQ(envelopes_read(text.substr(0, text.find("\n1000,") + 1)).cells_each, 1U) << "as many as a page can show";
 }
 
 TEST(ReportEnvelopes, RefuseOtherFiles) {

@@ -34,20 +34,20 @@ mass_kg = 1000
 horizontal_velocity_m_s = 3
 )";
 
-struct BadTerrain {
+struct BadSurvey {
   const char* name;
   std::string terrain, message;
 };
-void PrintTo(const BadTerrain& bad, std::ostream* out) { *out << bad.name; }
+void PrintTo(const BadSurvey& bad, std::ostream* out) { *out << bad.name; }
 
-class BadSurveyTest : public ::testing::TestWithParam<BadTerrain> {};
+class BadSurveyTest : public ::testing::TestWithParam<BadSurvey> {};
 
 TEST_P(BadSurveyTest, IsRefusedWithThisText) {
   EXPECT_EQ(testing_tools::refusal_of_reading("[terrain]\n" + GetParam().terrain + tables_after_terrain),
             GetParam().message);
 }
 
-const std::vector<BadTerrain> bad_terrains{
+const std::vector<BadSurvey> bad_terrains{
     {"SurveyAndRaster", "points = \"p.csv\"\nraster = \"dem.tif\"",
      "slope.toml:2: [terrain]: raster and points are given together (they exclude each other)"},
     {"SurveyAndPolylines", "lines = \"l.gpkg\"\npolylines = [[[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0]]]",

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t most_corners = 10'000;  // of a line or a polygon
 constexpr std::size_t most_lines = 2'000;     // of one request
-constexpr std::size_t most_listed = 100'000;  // rocks in an answer
+constexpr std::size_t max_rocks_listed = 100'000;  // rocks in an answer
 
 /// A number of the body that is above 0; nullopt if it is not given. Refuses (400) others.
 std::optional<double> positive(const Call& call, const char* key) {
@@ -103,7 +103,7 @@ class DragOrder {
 Json with_selection(RunAnswer answer, Problems warnings, const Run& run, AskedRuns& asked) {
   Json listed = Json::array();
   for (const std::uint64_t rock : answer.rocks) {
-    if (listed.size() == most_listed) break;
+    if (listed.size() == max_rocks_listed) break;
     listed.push_back(rock);
   }
   answer.json["crossing_rocks"] = std::move(listed);

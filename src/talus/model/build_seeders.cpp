@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "talus/core/degrees.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/gdal/zone_in_easting.hpp"
 #include "talus/import/vector_file.hpp"
@@ -21,7 +21,6 @@ namespace talus::project {
 
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr std::uint64_t most_reported = 5;  // places of one seeder
 
 /// Adds one seeder to a model.

@@ -13,14 +13,14 @@ namespace {
 
 // A patch: this many lines of a few to 128 nodes, along one of the axes. The traces of cells that were also turned by a
 // few degrees still agree from line to line.
-constexpr std::uint32_t lines_of_patch = 16, longest_line = 128, shortest_line = 40;
+constexpr std::uint32_t lines_of_patch = 16, max_line_nodes = 128, min_line_nodes = 40;
 constexpr std::uint32_t most_patches = 32;
 constexpr double largest_ratio = 16.5;
 // Traces of symmetric positions vanish in differences of odd or of even order, those of splines in low orders.
 constexpr std::array orders = {1, 2, 3, 4};
 constexpr std::uint32_t widest_difference = 4;  // nodes
 
-using Line = std::array<double, longest_line>;
+using Line = std::array<double, max_line_nodes>;
 
 bool is_multiple(double z, double step) {
   constexpr double by_rounding = 1e-7;  // of single precision, as a share of the elevation
@@ -89,7 +89,7 @@ class Patches {
 
   /// Sizes of the differences along a line, NaN where a node has no data.
   void fill(Line& sizes, std::uint32_t first, std::uint32_t across, int order) const {
-    std::array<double, longest_line + widest_difference> differences;
+    std::array<double, max_line_nodes + widest_difference> differences;
     for (std::uint32_t i = 0; i < length_ + widest_difference; ++i) differences[i] = z(first + i, across);
     for (int k = 0; k < order; ++k) {
       for (std::uint32_t i = 0; i + 1 < length_ + widest_difference; ++i)
@@ -117,8 +117,8 @@ class Patches {
   /// alike; NaN where the ground has no differences.
   void normalize(Line& sizes) const {
     constexpr std::uint32_t reach = 16;
-    std::array<double, longest_line + 1> sums;
-    std::array<std::uint32_t, longest_line + 1> counts;
+    std::array<double, max_line_nodes + 1> sums;
+    std::array<std::uint32_t, max_line_nodes + 1> counts;
     sums[0] = 0;
     counts[0] = 0;
     for (std::uint32_t i = 0; i < length_; ++i) {
@@ -135,7 +135,7 @@ class Patches {
 
   void add(Spectrum& spectrum, std::uint32_t first, std::uint32_t first_across, std::uint32_t lines, int order) const {
     Line sums{}, sizes;
-    std::array<std::uint32_t, longest_line> counts{};
+    std::array<std::uint32_t, max_line_nodes> counts{};
     for (std::uint32_t k = 0; k < lines; ++k) {
       fill(sizes, first, first_across + k, order);
       if (is_rounding(sizes, first, first_across + k, order)) continue;
@@ -239,8 +239,8 @@ std::size_t fundamental(std::size_t count, Amplitude&& amplitude) {
 
 std::optional<Vec2> interpolated_from(const RasterGrid& grid) {
   const std::uint32_t side = std::min(grid.columns, grid.rows);
-  if (side < shortest_line + widest_difference) return std::nullopt;
-  const std::uint32_t length = std::min(longest_line, side - widest_difference);
+  if (side < min_line_nodes + widest_difference) return std::nullopt;
+  const std::uint32_t length = std::min(max_line_nodes, side - widest_difference);
   const double decimals = decimals_of(grid);
   const Patches rows(grid, true, length, decimals), columns(grid, false, length, decimals);
   const std::vector<Peak> on_x = peaks_of(rows), on_y = peaks_of(columns);

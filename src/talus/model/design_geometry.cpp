@@ -13,7 +13,7 @@ struct Segment {
 };
 
 /// A panel's foot on plan between two stations; nullopt if it lies outside.
-std::optional<Segment> foot_of(const Panel& panel, double from, double to) {
+std::optional<Segment> part_of_foot(const Panel& panel, double from, double to) {
   const double begin = std::max(from, panel.station), end = std::min(to, panel.station + panel.plan_length);
   if (begin > end || (begin == end && panel.plan_length > 0 && from < to)) return std::nullopt;
   const Vec2 foot = panel.foot.head<2>(), along = panel.along.head<2>() * panel.length;
@@ -100,7 +100,7 @@ std::vector<LinePiece> pieces_of(const talus::Barrier& barrier) {
 double distance_between(const talus::Barrier& line, double from, double to, const talus::Barrier& other) {
   double least = std::numeric_limits<double>::infinity();
   for (const Panel& panel : line.panels()) {
-    const auto foot = foot_of(panel, from, to);
+    const auto foot = part_of_foot(panel, from, to);
     if (!foot) continue;
     for (const Panel& there : other.panels()) least = std::min(least, segment_distance(*foot, whole_foot_of(there)));
   }

@@ -18,8 +18,8 @@ constexpr double steepest_deg = 75;
 
 double degrees(double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; }
 
-void warn(const Project& project, const std::string& files, std::string what, std::string why, std::string hint,
-          Problems& warnings) {
+void warn_of_terrain(const Project& project, const std::string& files, std::string what, std::string why,
+                     std::string hint, Problems& warnings) {
   warnings.add({.severity = Severity::warning,
                 .file = project.file.string(),
                 .where = "[terrain]",
@@ -66,11 +66,11 @@ void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Proble
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::ranges::nth_element(slopes, middle);
   if (degrees(*middle) <= steepest_deg) return;
-  warn(project, fmt::format("\"{}\"", project.terrain.raster.string()),
-       fmt::format("is steeper than {:.3g} degrees on half of its area", degrees(*middle)),
-       fmt::format("its elevations seem not to be in metres; as centimetres they would make {:.2g} degrees",
-                   degrees(*middle / 100)),
-       "Convert the elevations to metres", warnings);
+  warn_of_terrain(project, fmt::format("\"{}\"", project.terrain.raster.string()),
+                  fmt::format("is steeper than {:.3g} degrees on half of its area", degrees(*middle)),
+                  fmt::format("its elevations seem not to be in metres; as centimetres they would make {:.2g} degrees",
+                              degrees(*middle / 100)),
+                  "Convert the elevations to metres", warnings);
 }
 
 void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Problems& warnings) {
@@ -79,20 +79,22 @@ void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Probl
   if (const auto from = interpolated_from(grid)) {
     constexpr double alike = 0.1;
     const bool is_square = std::abs(from->x() - from->y()) < alike * from->norm();
-    warn(project, file,
-         fmt::format("has cells of {:.3g} m, but its elevations seem to be interpolated from cells of about {}", cell,
-                     is_square ? fmt::format("{:.2g} m", 0.5 * (from->x() + from->y()))
-                               : fmt::format("{:.2g} x {:.2g} m", from->x(), from->y())),
-         "they bend at regular distances; interpolation adds no detail, and bends or steps that the ground does not "
-         "have",
-         "Use the original cells", warnings);
+    warn_of_terrain(
+        project, file,
+        fmt::format("has cells of {:.3g} m, but its elevations seem to be interpolated from cells of about {}", cell,
+                    is_square ? fmt::format("{:.2g} m", 0.5 * (from->x() + from->y()))
+                              : fmt::format("{:.2g} x {:.2g} m", from->x(), from->y())),
+        "they bend at regular distances; interpolation adds no detail, and bends or steps that the ground does not "
+        "have",
+        "Use the original cells", warnings);
   }
   const auto step = elevation_step(grid);
   constexpr double steepest_bend_deg = 8;  // about half of the default of grazing_angle_deg
   if (!step || degrees(*step / cell) <= steepest_bend_deg) return;
-  warn(project, file, fmt::format("has elevations in steps of {:g} m", *step),
-       fmt::format("with cells of {:.3g} m a step bends the ground by {:.0f} degrees", cell, degrees(*step / cell)),
-       "Use a file with decimals, or average the elevations over several cells", warnings);
+  warn_of_terrain(
+      project, file, fmt::format("has elevations in steps of {:g} m", *step),
+      fmt::format("with cells of {:.3g} m a step bends the ground by {:.0f} degrees", cell, degrees(*step / cell)),
+      "Use a file with decimals, or average the elevations over several cells", warnings);
 }
 
 void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& warnings) {
@@ -107,9 +109,9 @@ void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& w
   const double tilt = degrees(area.head<2>().norm() / std::abs(area.z()));
   if (!area.allFinite() || area.norm() == 0 || !(tilt > steepest_tilt_deg)) return;
   const char* axis = std::abs(area.y()) > std::abs(area.x()) ? "y" : "x";
-  warn(project, quoted_names(project), "seems to lie on its side",
-       fmt::format("as a whole it is {:.0f} degrees steep and faces along {}; z points up", tilt, axis),
-       hint_to_turn(project, axis), warnings);
+  warn_of_terrain(project, quoted_names(project), "seems to lie on its side",
+                  fmt::format("as a whole it is {:.0f} degrees steep and faces along {}; z points up", tilt, axis),
+                  hint_to_turn(project, axis), warnings);
 }
 
 void warn_of_high_terrain(const Vec3& size, const Project& project, Problems& warnings) {
@@ -121,13 +123,13 @@ void warn_of_high_terrain(const Vec3& size, const Project& project, Problems& wa
     if (terrain.meshes.empty() && !file.empty()) name = fmt::format("\"{}\"", file.string());
   }
   constexpr double km = 1000, millimetres = 1e-3;
-  warn(project, name,
-       fmt::format("is {:.3g} km high and {:.3g} km wide", size.z() / km, size.head<2>().maxCoeff() / km),
-       fmt::format(
-           "no slope is that high, so its coordinates seem not to be in metres; as millimetres it would be {:.3g} m "
-           "high",
-           size.z() * millimetres),
-       "Convert the coordinates to metres", warnings);
+  warn_of_terrain(
+      project, name, fmt::format("is {:.3g} km high and {:.3g} km wide", size.z() / km, size.head<2>().maxCoeff() / km),
+      fmt::format(
+          "no slope is that high, so its coordinates seem not to be in metres; as millimetres it would be {:.3g} m "
+          "high",
+          size.z() * millimetres),
+      "Convert the coordinates to metres", warnings);
 }
 
 void warn_of_overhangs(const CleanMesh& mesh, const Project& project, Problems& warnings) {
@@ -142,9 +144,10 @@ void warn_of_overhangs(const CleanMesh& mesh, const Project& project, Problems& 
     for (const Neighbour& beyond : mesh.neighbours[k]) is_closed = is_closed && beyond.has_value();
   }
   if (is_closed || overhanging <= least_share * all) return;
-  warn(project, quoted_names(project), "overhangs on much of its area",
-       fmt::format("{:.0f} % of the area of its facets faces downwards; z points up", 100 * overhanging / all),
-       hint_to_turn(project, "y"), warnings);
+  warn_of_terrain(
+      project, quoted_names(project), "overhangs on much of its area",
+      fmt::format("{:.0f} % of the area of its facets faces downwards; z points up", 100 * overhanging / all),
+      hint_to_turn(project, "y"), warnings);
 }
 
 }  // namespace talus::project

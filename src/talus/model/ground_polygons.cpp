@@ -16,14 +16,14 @@ namespace talus::project {
 
 namespace {
 
-constexpr std::uint8_t nothing = 255;    // no polygon yet
-constexpr std::size_t most_listed = 10;  // values or names in one problem
+constexpr std::uint8_t nothing = 255;   // no polygon yet
+constexpr std::size_t max_listed = 10;  // values or names in one problem
 
 /// A list for a problem: the first items, and the number of the others.
 std::string listed(const std::vector<std::string>& items) {
   std::string out;
-  for (std::size_t i = 0; i < items.size() && i < most_listed; ++i) out += (i == 0 ? "" : ", ") + items[i];
-  if (items.size() > most_listed) out += fmt::format(" and {} more", items.size() - most_listed);
+  for (std::size_t i = 0; i < items.size() && i < max_listed; ++i) out += (i == 0 ? "" : ", ") + items[i];
+  if (items.size() > max_listed) out += fmt::format(" and {} more", items.size() - max_listed);
   return out;
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "talus/core/degrees.hpp"
 #include "talus/ground/forest.hpp"
 #include "talus/model/build_barrier.hpp"
 #include "talus/model/build_ensembles.hpp"
@@ -21,7 +21,6 @@ namespace talus::project {
 
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 
 talus::Material material_of(const Material& m, const Analysis& a) {
   talus::Material material;

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "talus/core/degrees.hpp"
 #include "talus/core/utf8.hpp"
 #include "talus/files/data_table.hpp"
 #include "talus/files/file_formats.hpp"
@@ -27,8 +28,6 @@ namespace {
 
 using enum ReleaseColumn;
 using Column = ReleaseColumn;
-
-constexpr double radians_per_degree = std::numbers::pi / 180;
 
 /// A row of the file.
 struct FileRow {
@@ -61,7 +60,7 @@ class RowReader {
     const Vec3 place = place_of(given);
     read_velocity(given);
     given.spin_vector = vector_of(wx, wy, wz, "spin");
-    given.spin = value(spin) * radians_per_degree;
+    given.spin = value(spin) * radians;
     read_size(given);
     std::string name = text_of(columns_.name);
     const std::string source = text_of(columns_.source);
@@ -188,8 +187,7 @@ class RowReader {
     given.horizontal = value(horizontal);
     given.vertical = value(vertical);
     if (has(azimuth)) {
-      const double on_plan = value(azimuth) * radians_per_degree,
-                   down = has(plunge) ? value(plunge) * radians_per_degree : 0;
+      const double on_plan = value(azimuth) * radians, down = has(plunge) ? value(plunge) * radians : 0;
       given.direction = {std::sin(on_plan) * std::cos(down), std::cos(on_plan) * std::cos(down), -std::sin(down)};
     } else if (has(plunge)) {
       refuse("azimuth_deg is empty", "plunge_deg is given");

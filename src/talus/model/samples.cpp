@@ -36,9 +36,9 @@ std::size_t place_of_column(const DataTable& table, const std::string& name, con
                          .hint = meant(name, names)});
 }
 
-class SampleReader {
+class ValuesReader {
  public:
-  SampleReader(const std::filesystem::path& path, const Setting& setting, const Distribution& given, Problems& warnings)
+  ValuesReader(const std::filesystem::path& path, const Setting& setting, const Distribution& given, Problems& warnings)
       : file_(path.string()), table_(path), setting_(setting), given_(given), warnings_(warnings) {}
 
   std::shared_ptr<const EmpiricalSample> read() {
@@ -144,7 +144,7 @@ Project read_samples(const Project& project, Problems& warnings) {
     const std::string where = row_name(project, declared, number);
     try {
       locating_problems(project, where, problems, warnings, [&](Problems&, Problems& own_warnings) {
-        given.sample = SampleReader(project.file.parent_path() / given.file, setting, given, own_warnings).read();
+        given.sample = ValuesReader(project.file.parent_path() / given.file, setting, given, own_warnings).read();
         return true;
       });
     } catch (const BadInput& bad) {

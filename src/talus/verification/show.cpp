@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "talus/core/overloaded.hpp"
+
 namespace talus::verification {
 namespace {
 
@@ -71,13 +73,6 @@ std::string tolerances(const std::vector<Exception>& exceptions) {
   }
   return text;
 }
-
-template <class... Each>
-struct Overloaded : Each... {
-  using Each::operator()...;
-};
-template <class... Each>
-Overloaded(Each...) -> Overloaded<Each...>;  // clang 14 does not deduce it by itself
 
 std::string compared_with(const TableKind& kind) {
   return std::visit(

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "talus/core/overloaded.hpp"
 #include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
@@ -262,13 +263,6 @@ std::vector<Line> compare(const SoundnessTable& table, const std::string& run, R
   }
   return lines;
 }
-
-template <class... Each>
-struct Overloaded : Each... {
-  using Each::operator()...;
-};
-template <class... Each>
-Overloaded(Each...) -> Overloaded<Each...>;  // clang 14 does not deduce it by itself
 
 }  // namespace
 

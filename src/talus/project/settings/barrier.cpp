@@ -6,7 +6,7 @@
 namespace talus::project::declared {
 namespace {
 
-std::function<Slot(Row)> plan_line_slot() {
+std::function<Slot(Row)> barrier_line_slot() {
   return [](Row row) -> Slot { return PlanLineSlot{&std::get<Barrier*>(row)->line}; };
 }
 
@@ -33,7 +33,7 @@ std::vector<Setting> line_settings(std::string_view default_name) {
        .meaning = "Name in the results; must be unique among barriers and collectors.",
        .source = "Talus"},
       {.key = "line",
-       .slot = plan_line_slot(),
+       .slot = barrier_line_slot(),
        .unit = "m",
        .required = true,
        .meaning = "Position: x in 2D; two or more points [x, y] on plan in 3D.",

@@ -11,10 +11,10 @@ namespace {
 std::function<Slot(Row)> limit_slot(std::optional<std::int64_t> Output::*limit) {
   return [limit](Row row) -> Slot { return LimitSlot{&(std::get<Output*>(row)->*limit)}; };
 }
-std::function<Slot(Row)> plan_point_slot() {
+std::function<Slot(Row)> runout_point_slot() {
   return [](Row row) -> Slot { return PlanPointSlot{&std::get<Output*>(row)->runout_from}; };
 }
-std::function<Slot(Row)> plan_line_slot() {
+std::function<Slot(Row)> runout_line_slot() {
   return [](Row row) -> Slot { return PlanLineSlot{&std::get<Output*>(row)->runout_along}; };
 }
 std::function<Slot(Row)> map_cell_slot() {
@@ -63,7 +63,7 @@ Table output_table() {
                           "if not all: `\"all\"`, `\"none\"` or a number. While the run lasts, they are in memory.",
                .source = "Talus"},
               {.key = "runout_from",
-               .slot = plan_point_slot(),
+               .slot = runout_point_slot(),
                .unit = "m",
                .range = place,
                .without_it = "from each rock's release",
@@ -77,7 +77,7 @@ Table output_table() {
                .meaning = "Point from which runout is counted, as the distance on plan: [x] in 2D, [x, y] in 3D.",
                .source = "Talus"},
               {.key = "runout_along",
-               .slot = plan_line_slot(),
+               .slot = runout_line_slot(),
                .unit = "m",
                .range = place,
                .without_it = "from each rock's release",
