@@ -13,7 +13,7 @@ PACK_PACKAGES := dpkg-dev lintian desktop-file-utils
 FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
 FUZZ_SECONDS ?= 600
 
-.PHONY: build run test test-qgis verify validate bench docs package test-package release soak asan tsan fuzz tidy format clean \
+.PHONY: build program run test test-qgis verify validate bench docs package test-package release soak asan tsan fuzz tidy format clean \
   setup setup-test
 
 define install
@@ -36,7 +36,11 @@ setup-test: setup
 build: setup
 	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release
 
-run: build
+# The program alone, without the Python package.
+program: setup
+	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release --target talus_cli
+
+run: program
 	@build/talus run examples/tutorial-1/tutorial-1-2d.toml -o out/tutorial-1-2d
 	@build/talus run examples/tutorial-1/tutorial-1-3d.toml -o out/tutorial-1-3d
 	@echo "Open out/tutorial-1-2d/report.html and out/tutorial-1-3d/report.html in a browser."
@@ -45,11 +49,11 @@ test: setup-test
 	@cmake --preset release -DTALUS_TESTS=ON -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release
 	@ctest --preset release
 
-verify: build
+verify: program
 	@build/talus verify
 
 # Field experiments, a few minutes. The results must be those that docs/validation.md gives.
-validate: build
+validate: program
 	@build/talus validate -o out/validation
 	@for f in validation/*/results.csv; do diff $$f out/$$f || exit 1; done
 
@@ -58,13 +62,13 @@ bench: setup
 	@bench/run-all build-bench
 
 asan: setup-test
-	@cmake --preset asan-ubsan >/dev/null && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
+	@cmake --preset asan-ubsan -DTALUS_UNITY=ON >/dev/null && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
 
 tsan: setup-test
-	@cmake --preset tsan >/dev/null && cmake --build --preset tsan && ctest --preset tsan
+	@cmake --preset tsan -DTALUS_UNITY=ON >/dev/null && cmake --build --preset tsan && ctest --preset tsan
 
 # The QGIS plugin, in a QGIS without a window.
-test-qgis: build
+test-qgis: program
 	$(call install,$(QGIS_PACKAGES))
 	@TALUS_PROGRAM=build/talus QT_QPA_PLATFORM=offscreen PYTHONDONTWRITEBYTECODE=1 \
 	  /usr/bin/python3 -m unittest discover -s qgis/tests
