@@ -99,7 +99,7 @@ test('Back and Forward lead between rocks and runs; unsaved changes stay', async
   await expect(rockField(page)).toHaveValue('3');
   await page.goForward();
   await expect(rockField(page)).toHaveValue('4');
-  await expect(page.getByText('60 rocks')).toBeVisible();
+  await expect(page.getByText('point, 60 rocks')).toBeVisible();
 
   await toStartPage(page);
   await expect(page.getByRole('heading', { name: 'Talus', exact: true })).toBeVisible();
