@@ -18,8 +18,8 @@ namespace talus::server {
 
 namespace {
 
-constexpr std::size_t most_corners = 10'000;  // of a line or a polygon
-constexpr std::size_t most_lines = 2'000;     // of one request
+constexpr std::size_t most_corners = 10'000;       // of a line or a polygon
+constexpr std::size_t most_lines = 2'000;          // of one request
 constexpr std::size_t max_rocks_listed = 100'000;  // rocks in an answer
 
 /// A number of the body that is above 0; nullopt if it is not given. Refuses (400) others.

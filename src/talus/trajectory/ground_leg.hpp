@@ -219,12 +219,15 @@ template <class Surface>
   return {};
 }
 
-/// Next to a guide the rock can only move along the line in which the guide meets its support: that part of its
-/// velocity and pull is left to it, and its spin. (If it were also pulled across the line, its slip would turn there,
-/// where it cannot go, and friction along that slip could drive it.)
+/// The direction of the line in which a guide meets a rock's support of normal `n`, unit.
+[[nodiscard]] inline Vec3 line_along(const Guide& guide, const Vec3& n) { return n.cross(guide.normal).normalized(); }
+
+/// Next to a guide the rock can only move along that line: this part of its velocity and pull is left to it, and its
+/// spin. (If it were also pulled across the line, its slip would turn there, where it cannot go, and friction along
+/// that slip could drive it.)
 template <class Surface>
 void keep_along_guide(MovingRock<Surface>& rock, const Vec3& n, const Guide& guide, Footing& footing) {
-  const Vec3 e = n.cross(guide.normal).normalized();
+  const Vec3 e = line_along(guide, n);
   Vec3& velocity = rock.motion.velocity;
   velocity = velocity.dot(e) * e;
   footing.pull = footing.pull.dot(e) * e;
@@ -338,7 +341,7 @@ template <class Surface>
 void apply_side_contact(const MovingRock<Surface>& rock, const Support& on, SideContact& side_contact, Leg& leg,
                         double& t) {
   if (const auto* guide = std::get_if<Guide>(&side_contact)) {
-    leg = guided(leg, on.normal.cross(guide->normal).normalized());
+    leg = guided(leg, line_along(*guide, on.normal));
   } else if (std::holds_alternative<LeftFacet>(side_contact)) {
     t = std::min(t, time_for_way(tolerance::past_the_end, rock.motion.velocity.norm(), leg.path.a.norm()));
   }
