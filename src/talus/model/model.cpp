@@ -21,7 +21,6 @@ namespace talus::project {
 
 namespace {
 
-
 talus::Material material_of(const Material& m, const Analysis& a) {
   talus::Material material;
   material.name = m.name;

@@ -59,8 +59,9 @@ Table output_table() {
                .range = between(0, most_store_MB),
                .title = "Store of trajectories",
                .topic = topics::trajectories,
-               .meaning = "Size of `trajectories.bin`, which has the trajectories of as many rocks as fit, a fair sample "
-                          "if not all: `\"all\"`, `\"none\"` or a number. While the run lasts, they are in memory.",
+               .meaning =
+                   "Size of `trajectories.bin`, which has the trajectories of as many rocks as fit, a fair sample "
+                   "if not all: `\"all\"`, `\"none\"` or a number. While the run lasts, they are in memory.",
                .source = "Talus"},
               {.key = "runout_from",
                .slot = runout_point_slot(),
