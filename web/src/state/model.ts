@@ -33,6 +33,7 @@ let asking: AbortController | undefined;
 let timer: ReturnType<typeof setTimeout> | undefined;
 let modelFile: string | null = null;
 let lastTook = 0; // ms
+let mayBeOld = false; // files may have changed since the model under way was asked for
 
 /// Builds the model from the current text and its files.
 export const build = () => ask(() => true);
@@ -47,6 +48,7 @@ async function ask(isWanted: (next: Model) => boolean) {
   asking = own;
   isBuilding.value = true;
   isAwaited.value = true;
+  mayBeOld = false;
   const begun = performance.now();
   const [name, now] = [file.value, text.value];
   try {
@@ -68,6 +70,7 @@ async function ask(isWanted: (next: Model) => boolean) {
     if (asking === own) {
       isBuilding.value = false;
       if (file.value === name && text.value === now) isAwaited.value = false; // else a later text is
+      if (mayBeOld) lookAgain();
     }
   }
 }
@@ -112,8 +115,12 @@ effect(() => {
 
 /// Files can change while the page is in the background. Only models that build quickly are rebuilt on focus.
 const quick = 2000; // ms
+const lookAgain = () => {
+  if (lastTook < quick) void rebuild();
+};
 addEventListener('focus', () => {
-  if (!isBuilding.value && lastTook < quick) void rebuild();
+  if (isBuilding.value) mayBeOld = true;
+  else lookAgain();
 });
 
 /// The problems at a path or below it: "material.0.normal_restitution".
