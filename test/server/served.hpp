@@ -67,7 +67,7 @@ class ArraysOf {
       if (array["name"] != name) continue;
       EXPECT_EQ(array["type"], type);
       std::vector<T> values(array["count"].get<std::size_t>());
-      std::memcpy(values.data(), bytes_.data() + begins_.at(name), values.size() * sizeof(T));
+      if (!values.empty()) std::memcpy(values.data(), bytes_.data() + begins_.at(name), values.size() * sizeof(T));
       return values;
     }
     ADD_FAILURE() << "there is no array " << name;

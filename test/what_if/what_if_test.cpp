@@ -30,8 +30,8 @@ using testing_tools::SimulatedRun;
 /// A project with its model, and what is asked of it.
 struct Asked {
   project::Project project;
+  Problems warnings;  // before the model, which is built with it
   Model model;
-  Problems warnings;
   std::unique_ptr<WhatIf> what_if;
 
   Asked(const project::Project& given, const std::function<AskedPlace(const Model&, Problems&)>& place,
