@@ -81,26 +81,24 @@ TALUS_WIDE_LANES auto GlideLanes::step_all() -> LaneSet {
     return each;
   }();
   LaneSet staying = 0;
-  const double dt = laws_.timestep, stopped = laws_.stopped_velocity, most = laws_.max_time;
+  const GlideLaws laws = laws_;
   for (std::size_t k = 0; k < width; ++k) {
-    const double wx = vx_[k] + gain_[k], vy = vy_[k], size = std::sqrt(wx * wx + vy * vy);
-    const double kept = 1 - braking_[k] / size, speed = size - braking_[k], time = time_[k] + dt;
-    const double next_vx = kept * wx, next_vy = kept * vy;
-    const double x = x_[k] + dt * next_vx, y = y_[k] + dt * next_vy, way_to_bump = way_to_bump_[k] - dt * speed;
-    const double first = distance_[0][k] + x * down_[0][k] + y * aside_[0][k];
-    const double second = distance_[1][k] + x * down_[1][k] + y * aside_[1][k];
-    const double third = distance_[2][k] + x * down_[2][k] + y * aside_[2][k];
-    const bool stays = (speed_[k] >= stopped) & (time < most) & (speed >= stopped) &
-                       (wx * vx_[k] + vy * vy >= braking_[k] * speed_[k]) & (x * x + y * y < squared_way_[k]) &
-                       (way_to_bump > 0) & (first > contact_slack) & (second > contact_slack) & (third > contact_slack);
+    const Glide glide{{x_[k], y_[k], vx_[k], vy_[k], speed_[k], time_[k], way_to_bump_[k]},
+                      gain_[k],
+                      braking_[k],
+                      squared_way_[k],
+                      {{{distance_[0][k], down_[0][k], aside_[0][k]},
+                        {distance_[1][k], down_[1][k], aside_[1][k]},
+                        {distance_[2][k], down_[2][k], aside_[2][k]}}}};
+    const auto [then, stays] = after_step(laws, glide);
     const std::uint64_t mask = stays ? ~std::uint64_t{0} : 0;
-    x_[k] = chosen(mask, x, x_[k]);
-    y_[k] = chosen(mask, y, y_[k]);
-    vx_[k] = chosen(mask, next_vx, vx_[k]);
-    vy_[k] = chosen(mask, next_vy, vy_[k]);
-    speed_[k] = chosen(mask, speed, speed_[k]);
-    time_[k] = chosen(mask, time, time_[k]);
-    way_to_bump_[k] = chosen(mask, way_to_bump, way_to_bump_[k]);
+    x_[k] = chosen(mask, then.x, x_[k]);
+    y_[k] = chosen(mask, then.y, y_[k]);
+    vx_[k] = chosen(mask, then.vx, vx_[k]);
+    vy_[k] = chosen(mask, then.vy, vy_[k]);
+    speed_[k] = chosen(mask, then.speed, speed_[k]);
+    time_[k] = chosen(mask, then.time, time_[k]);
+    way_to_bump_[k] = chosen(mask, then.way_to_bump, way_to_bump_[k]);
     staying |= mask & bits[k];
   }
   return staying;

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "talus/core/stop.hpp"
@@ -23,21 +24,26 @@ struct GlideLaws {
   double max_time;          // of a rock [s]
 };
 
-/// One rock's glide. `x` is down, along the pull; `y` is aside, to its left seen from outside the ground.
-struct Glide {
-  double x = 0, y = 0;           // displacement from the start [m]
-  double vx = 0, vy = 0;         // [m/s]
-  double speed = 0;              // [m/s]
-  double time = 0;               // since release [s]
+/// What a step changes. `x` is down, along the pull; `y` is aside, to its left seen from outside the ground.
+struct GlideMotion {
+  double x = 0, y = 0;                                           // displacement from the start [m]
+  double vx = 0, vy = 0;                                         // [m/s]
+  double speed = 0;                                              // [m/s]
+  double time = 0;                                               // since release [s]
+  double way_to_bump = std::numeric_limits<double>::infinity();  // left along the path [m]
+};
+
+/// A side of the facet, within which the rock must stay.
+struct GlideSide {
+  double distance = 1, down = 0, aside = 0;  // of the start from it [m], and its growth with x and y
+};
+
+/// One rock's glide.
+struct Glide : GlideMotion {
   double gain = 0, braking = 0;  // change of speed per step, by the pull and by friction [m/s]
   // The square of the distance from the start within which there is no barrier [m2].
   double squared_way = std::numeric_limits<double>::infinity();
-  double way_to_bump = std::numeric_limits<double>::infinity();  // left along the path [m]
-  /// A side of the facet, within which the rock must stay.
-  struct Side {
-    double distance = 1, down = 0, aside = 0;  // of the start from it [m], and its growth with x and y
-  };
-  std::array<Side, 3> sides;
+  std::array<GlideSide, 3> sides;
 };
 
 /// The displacement after a step, and the velocity during it.
@@ -46,33 +52,38 @@ struct GlideStep {
   double vx, vy;  // [m/s]
 };
 
+/// The motion after a step, and whether the rock then stays on the facet and above the velocity at which it may stop.
+/// Without branches, so that it can be computed for several rocks at once.
+[[nodiscard, gnu::always_inline]] inline std::pair<GlideMotion, bool> after_step(const GlideLaws& laws,
+                                                                                 const Glide& glide) {
+  const double wx = glide.vx + glide.gain, vy = glide.vy, size = std::sqrt(wx * wx + vy * vy);
+  const double kept = 1 - glide.braking / size;
+  GlideMotion then;
+  then.vx = kept * wx;
+  then.vy = kept * vy;
+  then.speed = size - glide.braking;
+  then.time = glide.time + laws.timestep;
+  then.x = glide.x + laws.timestep * then.vx;
+  then.y = glide.y + laws.timestep * then.vy;
+  then.way_to_bump = glide.way_to_bump - laws.timestep * then.speed;
+  bool stays = (glide.speed >= laws.stopped_velocity) & (then.time < laws.max_time) &
+               (then.speed >= laws.stopped_velocity) & (wx * glide.vx + vy * vy >= glide.braking * glide.speed) &
+               (then.x * then.x + then.y * then.y < glide.squared_way) & (then.way_to_bump > 0);
+  for (const GlideSide& side : glide.sides)
+    stays &= side.distance + then.x * side.down + then.y * side.aside > contact_slack;
+  return {then, stays};
+}
+
 /// Takes one step, if the rock stays on the facet and above the velocity at which it may stop. If not, returns false
 /// and changes nothing.
 [[nodiscard]] inline bool try_step(const GlideLaws& laws, Glide& glide) {
-  const double wx = glide.vx + glide.gain, vy = glide.vy, size = std::sqrt(wx * wx + vy * vy);
-  const double kept = 1 - glide.braking / size, speed = size - glide.braking, time = glide.time + laws.timestep;
-  const double next_vx = kept * wx, next_vy = kept * vy;
-  const double x = glide.x + laws.timestep * next_vx, y = glide.y + laws.timestep * next_vy;
-  const double way_to_bump = glide.way_to_bump - laws.timestep * speed;
-  bool stays = glide.speed >= laws.stopped_velocity && time < laws.max_time && speed >= laws.stopped_velocity &&
-               wx * glide.vx + vy * vy >= glide.braking * glide.speed && x * x + y * y < glide.squared_way &&
-               way_to_bump > 0;
-  for (const Glide::Side& side : glide.sides) {
-    stays = stays && side.distance + x * side.down + y * side.aside > contact_slack;
-  }
-  if (!stays) return false;
-  glide.x = x;
-  glide.y = y;
-  glide.vx = next_vx;
-  glide.vy = next_vy;
-  glide.speed = speed;
-  glide.time = time;
-  glide.way_to_bump = way_to_bump;
-  return true;
+  const auto [then, stays] = after_step(laws, glide);
+  if (stays) static_cast<GlideMotion&>(glide) = then;
+  return stays;
 }
 
 /// Several glides at the same time. A step is one long chain of operations; while one rock waits for a square root, the
-/// others proceed. The operations and their order are those of try_step(), so the bits are the same.
+/// others proceed. Each takes the step of try_step().
 class GlideLanes {
  public:
   static constexpr std::size_t width = 16;
