@@ -166,10 +166,6 @@ template <class Number>
   return speed > 0 ? Vec3(end_velocity.norm() / speed * start.spin) : start.spin;
 }
 
-[[nodiscard]] inline double inertia_of_sphere(const Rock& rock) {
-  return 0.4 * rock.mass * rock.radius * rock.radius;
-}
-
 /// The motion at the end of a flight, computed as the run does.
 [[nodiscard]] inline Motion end_of_flight(const PathPiece& flight) {
   const double s = flight.duration;

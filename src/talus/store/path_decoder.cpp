@@ -162,7 +162,7 @@ void decode_path(std::string_view bytes, const Vec3& gravity, StoredTrajectory& 
   if (has(rock_has_ground)) outcome.ground = MaterialId{index()};
   record.body.mass = get_number<double>(in);
   record.body.radius = get_number<double>(in);
-  record.body.inertia = has(rock_is_no_sphere) ? get_number<double>(in) : inertia_of_sphere(record.body);
+  record.body.inertia = has(rock_is_no_sphere) ? get_number<double>(in) : inertia_of_sphere(record.body.mass, record.body.radius);
   expect_bytes(record.body.mass > 0 && record.body.radius >= 0 && record.body.inertia >= 0, "a rock has no valid size");
   outcome.max_kinetic_energy = get_number<double>(in);
   outcome.max_bounce = get_number<double>(in);

@@ -70,7 +70,7 @@ void PathEncoder::put_facts(const RockRecord& record) {
   set(rock_is_planar, is_planar_);
   set(rock_was_lifted, record.was_lifted);
   set(rock_has_ground, ground.has_value());
-  set(rock_is_no_sphere, body.inertia != inertia_of_sphere(body));
+  set(rock_is_no_sphere, body.inertia != inertia_of_sphere(body.mass, body.radius));
   set(start_has_no_velocity, are_same_bits(start.velocity, Vec3::Zero()));
   set(start_has_no_spin, are_same_bits(start.spin, Vec3::Zero()));
   set(end_has_place, !are_same_bits(end.position, now_.position));
