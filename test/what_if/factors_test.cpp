@@ -99,7 +99,7 @@ TEST(Factors, ReplaceTheWordOfAForest) {
   ASSERT_EQ(variations.size(), 2u);
   const Variation& more = variations[1];
   EXPECT_DOUBLE_EQ(*more.project.materials[1].forest_drag_kg_s, 600);
-  EXPECT_EQ(more.project.materials[1].forest, project::Forest::none);
+  EXPECT_EQ(more.project.materials[1].forest, Forest::none);
   ASSERT_EQ(more.changes.size(), 2u);
   EXPECT_EQ(path_of(more.changes[0]), "material.1.forest");
   EXPECT_EQ(*more.changes[0].before, "medium");

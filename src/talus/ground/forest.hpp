@@ -8,16 +8,18 @@
 
 namespace talus {
 
-enum class ForestDensity { open, medium, dense };
+enum class Forest { none, open, medium, dense };
 
 /// b [kg/s].
-[[nodiscard]] inline double forest_drag(ForestDensity density) {
+[[nodiscard]] inline double forest_drag(Forest density) {
   switch (density) {
-    case ForestDensity::open:
+    case Forest::none:
+      return 0;
+    case Forest::open:
       return 250;
-    case ForestDensity::medium:
+    case Forest::medium:
       return 500;
-    case ForestDensity::dense:
+    case Forest::dense:
       return 750;
   }
   return 0;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "talus/core/degrees.hpp"
-#include "talus/ground/forest.hpp"
 #include "talus/model/build_barrier.hpp"
 #include "talus/model/build_ensembles.hpp"
 #include "talus/model/build_ground.hpp"
@@ -31,13 +30,7 @@ talus::Material material_of(const Material& m, const Analysis& a) {
                                    a.has_heights_of_roughness() ? m.roughness_amplitude_m : 0);
   material.dynamic_friction = sampler_of("dynamic_friction", m.dynamic_friction);
   material.rolling_friction = sampler_of("rolling_friction", m.rolling_friction);
-  if (m.forest_drag_kg_s) {
-    material.forest_drag = *m.forest_drag_kg_s;
-  } else if (m.forest != Forest::none) {
-    material.forest_drag = forest_drag(m.forest == Forest::open     ? ForestDensity::open
-                                       : m.forest == Forest::medium ? ForestDensity::medium
-                                                                    : ForestDensity::dense);
-  }
+  material.forest_drag = m.forest_drag();
   material.forest_height = m.forest_height_m.value_or(0);
   material.ground_drag = m.ground_drag_per_s;
   return material;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "talus/core/vec.hpp"
+#include "talus/ground/forest.hpp"
 #include "talus/maps/map_subjects.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
@@ -124,8 +125,6 @@ struct Terrain {
   }
 };
 
-enum class Forest { none, open, medium, dense };
-
 /// [[material]]
 struct Material {
   std::string name;
@@ -142,6 +141,9 @@ struct Material {
   std::optional<double> forest_drag_kg_s;
   std::optional<double> forest_height_m;
   double ground_drag_per_s = 0;
+
+  /// b of its forest, as given or by its density [kg/s]; 0: no forest.
+  [[nodiscard]] double forest_drag() const { return forest_drag_kg_s.value_or(talus::forest_drag(forest)); }
 };
 
 /// [ground]

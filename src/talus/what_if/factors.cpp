@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "talus/core/nearest.hpp"
-#include "talus/ground/forest.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/settings.hpp"
 #include "talus/sampling/distribution.hpp"
@@ -35,21 +34,6 @@ double within(const project::Range& range, double value, bool& is_clipped) {
 bool is_zero(const Distribution& distribution, Moves moves) {
   if (distribution.kind == DistributionKind::empirical) return true;  // of a file: it has no mean to move
   return distribution.mean == 0 && (moves == Moves::mean || distribution.std_dev.value_or(0) == 0);
-}
-
-double forest_drag_of(const Material& material) {
-  if (material.forest_drag_kg_s) return *material.forest_drag_kg_s;
-  switch (material.forest) {
-    case project::Forest::none:
-      return 0;
-    case project::Forest::open:
-      return forest_drag(ForestDensity::open);
-    case project::Forest::medium:
-      return forest_drag(ForestDensity::medium);
-    case project::Forest::dense:
-      return forest_drag(ForestDensity::dense);
-  }
-  return 0;
 }
 
 /// Makes one variation.
@@ -80,10 +64,10 @@ class Varying {
         changed("material", row, "roughness_amplitude_m");
       }
     }
-    if (kind_.key == "forest_drag" && forest_drag_of(material) > 0) {
-      material.forest_drag_kg_s = number(forest_drag_of(material), "material", "forest_drag_kg_s");
-      if (material.forest != project::Forest::none) {
-        material.forest = project::Forest::none;
+    if (kind_.key == "forest_drag" && material.forest_drag() > 0) {
+      material.forest_drag_kg_s = number(material.forest_drag(), "material", "forest_drag_kg_s");
+      if (material.forest != Forest::none) {
+        material.forest = Forest::none;
         changed("material", row, "forest");
       }
       changed("material", row, "forest_drag_kg_s");
