@@ -1,25 +1,29 @@
 #include "talus/model/drawn.hpp"
 
-#include <algorithm>
-#include <array>
+#include <stdexcept>
+#include <string>
+#include <utility>
 
-#include "talus/core/check.hpp"
 #include "talus/project/settings.hpp"
 
 namespace talus::project {
 
 namespace {
 
-constexpr std::array of_material{"normal_restitution", "tangential_restitution", "friction_angle_deg",
-                                 "roughness_deg",      "dynamic_friction",       "rolling_friction"};
-constexpr std::array of_seeder{"mass_kg",
-                               "volume_m3",
-                               "diameter_m",
-                               "density_kg_m3",
-                               "speed_m_s",
-                               "horizontal_velocity_m_s",
-                               "vertical_velocity_m_s",
-                               "rotational_velocity_deg_s"};
+bool is_distribution(const Slot& slot) {
+  return std::holds_alternative<Distribution*>(slot) || std::holds_alternative<std::optional<Distribution>*>(slot);
+}
+
+/// The declaration of a random property; null if the key is not one.
+const Setting* random_property(std::string_view key) {
+  static Material material;  // slots are places in a row
+  static Seeder seeder;
+  for (const auto& [name, row] : {std::pair<const char*, Row>("material", &material), {"seeder", &seeder}}) {
+    const Setting* const setting = table(name).find(key);
+    if (setting != nullptr && is_distribution(setting->slot(row))) return setting;
+  }
+  return nullptr;
+}
 
 }  // namespace
 
@@ -27,15 +31,13 @@ std::optional<Drawn> drawn(std::string_view key, const Distribution& given) {
   // A plain number is the standard deviation of the tilt; a distribution is that of the tilt itself.
   if (key == "roughness_deg" && given.kind == DistributionKind::none && given.mean != 0)
     return Drawn{{0, DistributionKind::normal, given.mean, {}, {}}, {-90, 90}};
-  const auto is_in = [key](const auto& keys) { return std::find(keys.begin(), keys.end(), key) != keys.end(); };
-  if (is_in(of_material)) return Drawn{given, bounds("material", key)};
-  if (is_in(of_seeder)) return Drawn{given, bounds("seeder", key)};
-  return std::nullopt;
+  const Setting* const setting = random_property(key);
+  return setting == nullptr ? std::nullopt : std::optional(Drawn{given, bounds(setting->range)});
 }
 
 Sampler sampler_of(std::string_view key, const Distribution& given, double scale) {
   const auto what = drawn(key, given);
-  TALUS_PROMISE(what.has_value(), "the setting is a distribution");
+  if (!what) throw std::logic_error("no random property " + std::string(key) + " is declared");
   return Sampler(what->distribution, what->bounds, scale);
 }
 

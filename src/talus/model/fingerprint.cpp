@@ -92,34 +92,43 @@ void put(ByteWriter& out, const ReleaseTable& table) {
   }
 }
 
-/// Everything else of a sampler follows from the project's text.
+/// The values of a sample that was read from a file. All else of a property follows from the project's text.
 void put_sample(ByteWriter& out, const Sampler& sampler) {
   if (sampler.sample() == nullptr) return;
   out.list(sampler.sample()->values());
   out.list(sampler.sample()->weights_up_to());
 }
+void put_sample(ByteWriter& out, const std::optional<Sampler>& sampler) {
+  if (sampler) put_sample(out, *sampler);
+}
+void put_sample(ByteWriter& out, const RoughGround& roughness) { put_sample(out, roughness.tilt()); }
 
+template <class... Properties>
+void put_samples(ByteWriter& out, const Properties&... properties) {
+  (put_sample(out, properties), ...);
+}
+
+// All members are named here, so that a new one does not compile until it is decided whether it has a sample.
 void put(ByteWriter& out, const talus::Material& material) {
-  for (const Sampler* sampler :
-       {&material.normal_restitution, &material.tangential_restitution, &material.friction_angle,
-        &material.roughness.tilt(), &material.dynamic_friction, &material.rolling_friction})
-    put_sample(out, *sampler);
+  const auto& [name, rn, rt, friction_angle, roughness, dynamic_friction, rolling_friction, forest_drag, forest_height,
+               ground_drag] = material;
+  put_samples(out, rn, rt, friction_angle, roughness, dynamic_friction, rolling_friction);
 }
 
 void put(ByteWriter& out, const talus::Seeder& seeder) {
-  out.text(seeder.name);
-  out.put(seeder.source.index);
-  out.put(seeder.first_rock);
-  out.put(seeder.rocks);
-  out.count(seeder.where->index());
-  std::visit([&](const auto& where) { put(out, where); }, *seeder.where);
-  out.flag(seeder.above_surface.has_value());
-  out.put(seeder.above_surface.value_or(0));
-  out.flag(seeder.direction.has_value());
-  put(out, seeder.direction.value_or(Vec3::Zero()));
-  for (const Sampler* sampler : {&seeder.size, &seeder.density, &seeder.horizontal, &seeder.vertical, &seeder.spin})
-    put_sample(out, *sampler);
-  if (seeder.speed) put_sample(out, *seeder.speed);
+  const auto& [name, source, first_rock, rocks, rocks_at_once, step, where, above_surface, size_of, size, density,
+               direction, speed, horizontal, vertical, spin] = seeder;
+  out.text(name);
+  out.put(source.index);
+  out.put(first_rock);
+  out.put(rocks);
+  out.count(where->index());
+  std::visit([&](const auto& places) { put(out, places); }, *where);
+  out.flag(above_surface.has_value());
+  out.put(above_surface.value_or(0));
+  out.flag(direction.has_value());
+  put(out, direction.value_or(Vec3::Zero()));
+  put_samples(out, size, density, horizontal, vertical, spin, speed);
 }
 
 void put(ByteWriter& out, const talus::Barrier& barrier) {
