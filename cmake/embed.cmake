@@ -1,70 +1,16 @@
 # Embeds the fixed parts of the report's page (src/talus/report/page/) and the figures that it shares with the workbench
 # (web/src/figures/, bundled with the parts of D3 that they use) in the library, so that the program is one file and its
 # reports need no network. Included, it defines talus_embed_report(target); as a script
-# (cmake -DFOLDER=... -DFIGURES=... -DBUNDLE=... -DSCHEMA=... -DOUTPUT=... -P embed.cmake) it writes the C++ file
-# with one string per part.
+# (cmake -DFOLDER=... -DFIGURES=... -DBUNDLE=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string per
+# part.
 
 # In this order on the page: each may use the ones before it.
-set(TALUS_REPORT_SCRIPTS format figure run tables statistics overview terrain inputs slope mapframe plan maps
+set(TALUS_REPORT_SCRIPTS format settings figure run tables statistics overview terrain inputs slope mapframe plan maps
   envelopes energy distributions observed impacts barriers design convergence uncertainty paper sheet page)
 # The same for the page of a sensitivity study.
 set(TALUS_SENSITIVITY_SCRIPTS format study figure tables paper sensitivity)
 
 if(CMAKE_SCRIPT_MODE_FILE)
-  # Sets `out` to a script that declares when each setting has an effect, and its default if it is a plain value:
-  # x-applies-when and default of the generated schema, by table and key. The schema is JSON with trailing commas, within "export const schema = ... as const;".
-  function(setting_conditions out)
-    file(READ "${SCHEMA}" schema)
-    string(FIND "${schema}" "export const schema = " begin)
-    string(SUBSTRING "${schema}" ${begin} -1 schema)
-    string(REGEX REPLACE "^export const schema = |} as const;[ \n]*$" "" schema "${schema}")
-    string(REGEX REPLACE ",([ \n]*[]}])" "\\1" schema "${schema}")
-    string(REGEX REPLACE ",[ \n]*$" "" schema "${schema}")
-    set(schema "${schema}}")
-    set(conditions "{}")
-    set(defaults "{}")
-    string(JSON last LENGTH "${schema}" properties)
-    math(EXPR last "${last} - 1")
-    foreach(t RANGE ${last})
-      string(JSON table MEMBER "${schema}" properties ${t})
-      string(JSON settings ERROR_VARIABLE none GET "${schema}" properties ${table} items properties)
-      if(none)
-        string(JSON settings ERROR_VARIABLE none GET "${schema}" properties ${table} properties)
-      endif()
-      if(none)
-        continue()  # a key before the first table
-      endif()
-      set(of_table "{}")
-      set(defaults_of_table "{}")
-      string(JSON last_setting LENGTH "${settings}")
-      math(EXPR last_setting "${last_setting} - 1")
-      foreach(s RANGE ${last_setting})
-        string(JSON key MEMBER "${settings}" ${s})
-        string(JSON needs ERROR_VARIABLE none GET "${settings}" ${key} x-applies-when)
-        if(NOT none)
-          string(JSON of_table SET "${of_table}" ${key} "${needs}")
-        endif()
-        string(JSON default ERROR_VARIABLE none GET "${settings}" ${key} default)
-        if(none)
-          continue()
-        endif()
-        string(JSON type TYPE "${settings}" ${key} default)
-        if(type STREQUAL "STRING")
-          set(default "\"${default}\"")
-        elseif(type STREQUAL "BOOLEAN" AND default)
-          set(default true)
-        elseif(type STREQUAL "BOOLEAN")
-          set(default false)
-        endif()
-        string(JSON defaults_of_table SET "${defaults_of_table}" ${key} "${default}")
-      endforeach()
-      string(JSON conditions SET "${conditions}" ${table} "${of_table}")
-      string(JSON defaults SET "${defaults}" ${table} "${defaults_of_table}")
-    endforeach()
-    string(REGEX REPLACE "[ \n]*\n[ ]*" "" conditions "${conditions}")
-    string(REGEX REPLACE "[ \n]*\n[ ]*" "" defaults "${defaults}")
-    set(${out} "const settingConditions = ${conditions};\nconst settingDefaults = ${defaults};\n" PARENT_SCOPE)
-  endfunction()
   set(code "// Made by cmake/embed.cmake; do not edit.\n")
   string(APPEND code "#include \"talus/report/page/assets.hpp\"\n\nnamespace talus::assets {\n")
   function(embed name)
@@ -84,11 +30,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
   embed(sensitivity_script ${TALUS_SENSITIVITY_SCRIPTS})
   embed(page "${FOLDER}/page.html")
   embed(style "${FIGURES}/figures.css" "${FOLDER}/style.css")
-  setting_conditions(conditions)
-  set(conditions_file "${OUTPUT}.conditions.js")
-  file(WRITE "${conditions_file}" "${conditions}")
-  list(POP_FRONT TALUS_REPORT_SCRIPTS first)  # begins with 'use strict'
-  embed(script "${first}" "${conditions_file}" ${TALUS_REPORT_SCRIPTS})
+  embed(script ${TALUS_REPORT_SCRIPTS})
   embed(figures "${BUNDLE}")
   file(WRITE "${OUTPUT}" "${code}}  // namespace talus::assets\n")
   return()
@@ -133,7 +75,6 @@ endfunction()
 function(talus_embed_report target)
   set(folder ${CMAKE_SOURCE_DIR}/src/talus/report/page)
   set(figures ${CMAKE_SOURCE_DIR}/web/src/figures)
-  set(schema ${CMAKE_SOURCE_DIR}/web/src/generated/schema.ts)
   set(bundle ${CMAKE_BINARY_DIR}/generated/figures.js)
   set(output ${CMAKE_BINARY_DIR}/generated/report_assets.cpp)
   set(parts ${TALUS_REPORT_SCRIPTS} ${TALUS_SENSITIVITY_SCRIPTS})
@@ -142,9 +83,9 @@ function(talus_embed_report target)
   talus_bundle_figures(${bundle})
   add_custom_command(
     OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFIGURES=${figures} -DBUNDLE=${bundle} -DSCHEMA=${schema}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFIGURES=${figures} -DBUNDLE=${bundle}
       -DOUTPUT=${output} -P ${TALUS_EMBED_SCRIPT}
-    DEPENDS ${folder}/page.html ${folder}/style.css ${figures}/figures.css ${parts} ${bundle} ${schema} ${TALUS_EMBED_SCRIPT}
+    DEPENDS ${folder}/page.html ${folder}/style.css ${figures}/figures.css ${parts} ${bundle} ${TALUS_EMBED_SCRIPT}
     COMMENT "Embedding the report's page"
     VERBATIM)
   target_sources(${target} PRIVATE ${output})

@@ -1,5 +1,5 @@
 // The inputs of a run: settings, materials, seeders, barriers. Settings without an effect are left out, by the conditions
-// of their declaration (settingConditions, embedded from web/src/generated/schema.ts).
+// of their declaration (settings.js).
 
 const applies = (run, table, key, row) =>
   figures.hasEffect((settingConditions[table] || {})[key] || [], table, row, run.project);
