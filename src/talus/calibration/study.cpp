@@ -78,7 +78,7 @@ StudyReading read_study_text(std::string_view text, const std::filesystem::path&
   const auto row = [&](std::string_view table, int line) -> project::Row {
     if (table == "observations") return study::added_row(study.observations, line);
     if (table == "model") return study::added_row(study.models, line);
-    return project::RowElsewhere(&study);
+    return &study;
   };
   const auto check = [&](study::StudyProblems& problems) { StudyCheck(study, problems).check(); };
   reading.warnings = study::read_study_text(text, file, study, {study_tables(), row, check});

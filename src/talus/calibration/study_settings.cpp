@@ -2,12 +2,14 @@
 
 #include "talus/calibration/study.hpp"
 
+#include "talus/project/settings/slots.hpp"
+
 namespace talus::calibration {
 
 namespace {
 
 using project::Table;
-using study::slot_of;
+using project::declared::member;
 
 constexpr double most_draws = 1e6, most_rocks = 1e6, most_rounds = 20, most_folds = 1000;
 constexpr double most_accuracy_m = 1e3, most_weight = 1e3, most_blocks = 1e6, most_relative_accuracy = 3;
@@ -18,29 +20,29 @@ Table head_table() {
       .meaning = "The study.",
       .settings = {
           {.key = "name",
-           .slot = slot_of<Study>(&Study::name),
+           .slot = member<Study>(&Study::name),
            .without_it = "the file's name",
            .meaning = "Title of the report.",
            .source = "Talus"},
           {.key = "seed",
-           .slot = slot_of<Study>(&Study::seed),
+           .slot = member<Study>(&Study::seed),
            .range = {.least = 0},
            .meaning = "Number that determines the sets of parameters and the draws of rocks. All sets have the same "
                       "draws of rocks; the projects' own seeds are not used.",
            .source = "Talus"},
           {.key = "rocks",
-           .slot = slot_of<Study>(&Study::rocks),
+           .slot = member<Study>(&Study::rocks),
            .range = {.least = 20, .most = most_rocks, .too_low = "fewer say too little about a distribution"},
            .meaning = "Rocks simulated with each set of parameters at each site; its seeders share them in "
                       "proportion to their own numbers.",
            .source = "Talus"},
           {.key = "draws",
-           .slot = slot_of<Study>(&Study::draws),
+           .slot = member<Study>(&Study::draws),
            .range = {.least = 50, .most = most_draws, .too_low = "fewer cannot represent a posterior"},
            .meaning = "Sets of parameters in all rounds together. Half of them are in the first round.",
            .source = "Talus"},
           {.key = "most_draws",
-           .slot = slot_of<Study>(&Study::most_draws),
+           .slot = member<Study>(&Study::most_draws),
            .range = {.least = 50, .most = most_draws, .too_low = "fewer cannot represent a posterior"},
            .without_it = "three times `draws`",
            .meaning =
@@ -48,17 +50,17 @@ Table head_table() {
                "up to this number of sets.",
            .source = "Talus"},
           {.key = "rounds",
-           .slot = slot_of<Study>(&Study::rounds),
+           .slot = member<Study>(&Study::rounds),
            .range = {.least = 1, .most = most_rounds, .too_low = "the first round draws from the prior"},
            .meaning = "The first round draws from the prior, each later one near what the earlier ones found.",
            .source = "Beaumont, Cornuet, Marin and Robert 2009"},
           {.key = "folds",
-           .slot = slot_of<Study>(&Study::folds),
+           .slot = member<Study>(&Study::folds),
            .range = {.least = 0, .most = most_folds},
            .meaning = "Parts into which the observations are divided to be predicted from the others; 0: none.",
            .source = "cross-validation"},
           {.key = "hold_out_sites",
-           .slot = slot_of<Study>(&Study::hold_out_sites),
+           .slot = member<Study>(&Study::hold_out_sites),
            .meaning = "Predict each site from the other sites, instead of some rocks from other rocks.",
            .source = "Talus"},
       }};
@@ -73,40 +75,40 @@ Table observations_table() {
       .settings =
           {
               {.key = "name",
-               .slot = slot_of<StudyObservations>(&StudyObservations::name),
+               .slot = member<StudyObservations>(&StudyObservations::name),
                .without_it = "the file's name",
                .meaning = "Name in tables and figures.",
                .source = "Talus"},
               {.key = "site",
-               .slot = slot_of<StudyObservations>(&StudyObservations::site),
+               .slot = member<StudyObservations>(&StudyObservations::site),
                .without_it = "the only site",
                .meaning = "The site's name.",
                .source = "Talus"},
               {.key = "stops",
-               .slot = slot_of<StudyObservations>(&StudyObservations::stops),
+               .slot = member<StudyObservations>(&StudyObservations::stops),
                .meaning = "File of the places where rocks came to rest: CSV with the columns x_m and y_m (2D: x_m "
                           "alone), or points for a GIS. A column `release` names each rock's seeder, or its row in a "
                           "seeder's table; `mass_kg` is its mass.",
                .source = "Talus"},
               {.key = "marks",
-               .slot = slot_of<StudyObservations>(&StudyObservations::marks),
+               .slot = member<StudyObservations>(&StudyObservations::marks),
                .meaning = "File of the places where rocks struck the ground, as for `stops`. A column `rock` names the "
                           "rock that left each mark.",
                .source = "Talus"},
               {.key = "values",
-               .slot = slot_of<StudyObservations>(&StudyObservations::values),
+               .slot = member<StudyObservations>(&StudyObservations::values),
                .meaning = "CSV file of rocks that arrived at a line, a row each, with one or more of the columns "
                           "height_m, velocity_m_s and energy_kJ (translational and rotational).",
                .source = "Talus"},
               {.key = "zones",
-               .slot = slot_of<StudyObservations>(&StudyObservations::zones),
+               .slot = member<StudyObservations>(&StudyObservations::zones),
                .meaning =
                    "File of areas and what came to rest in each: polygons for a GIS with the attributes zone and "
                    "volume_m3, count or share; or CSV with a row for each vertex (zone, x_m, y_m; 2D: a row for "
                    "each zone with zone, from_m, to_m) and one of these columns.",
                .source = "Talus"},
               {.key = "released",
-               .slot = slot_of<StudyObservations>(&StudyObservations::released),
+               .slot = member<StudyObservations>(&StudyObservations::released),
                .range = {.least = 0, .least_excluded = true},
                .without_it = "only shares among the zones are compared",
                .meaning =
@@ -114,34 +116,34 @@ Table observations_table() {
                    "elsewhere. With `zones`.",
                .source = "Talus"},
               {.key = "blocks",
-               .slot = slot_of<StudyObservations>(&StudyObservations::blocks),
+               .slot = member<StudyObservations>(&StudyObservations::blocks),
                .range = {.least = 1, .most = most_blocks},
                .without_it = "from the volume, by the volumes of simulated rocks",
                .meaning = "Number of rocks that the volumes or shares consist of; required with shares. With `zones`.",
                .source = "Talus"},
               {.key = "relative_accuracy",
-               .slot = slot_of<StudyObservations>(&StudyObservations::relative_accuracy),
+               .slot = member<StudyObservations>(&StudyObservations::relative_accuracy),
                .range = {.least = 0, .most = most_relative_accuracy, .too_low = "it is a standard deviation"},
                .meaning = "Standard deviation of the error of an observed volume or share, over itself. With `zones`.",
                .source = "Talus"},
               {.key = "at",
-               .slot = slot_of<StudyObservations>(&StudyObservations::at),
+               .slot = member<StudyObservations>(&StudyObservations::at),
                .without_it = "required with `values`",
                .meaning = "The collector or barrier of the project at which the values were observed.",
                .source = "Talus"},
               {.key = "layer",
-               .slot = slot_of<StudyObservations>(&StudyObservations::layer),
+               .slot = member<StudyObservations>(&StudyObservations::layer),
                .without_it = "the only layer",
                .meaning = "Layer of the GIS file.",
                .source = "Talus"},
               {.key = "accuracy_m",
-               .slot = slot_of<StudyObservations>(&StudyObservations::accuracy_m),
+               .slot = member<StudyObservations>(&StudyObservations::accuracy_m),
                .unit = "m",
                .range = {.least = 0, .most = most_accuracy_m, .too_low = "it is a standard deviation"},
                .meaning = "Standard deviation of the error of an observed place or height.",
                .source = "Talus"},
               {.key = "weight",
-               .slot = slot_of<StudyObservations>(&StudyObservations::weight),
+               .slot = member<StudyObservations>(&StudyObservations::weight),
                .range = {.least = 0, .most = most_weight, .least_excluded = true},
                .meaning = "Factor of the logarithm of the likelihood: less than 1 where rocks were not independent.",
                .source = "Talus"},
@@ -155,12 +157,12 @@ Table model_table() {
           .meaning = "A variant of the projects; two or more are compared by how well they predict.",
           .settings = {
               {.key = "name",
-               .slot = slot_of<StudyModel>(&StudyModel::name),
+               .slot = member<StudyModel>(&StudyModel::name),
                .required = true,
                .meaning = "Name in tables.",
                .source = "Talus"},
               {.key = "set",
-               .slot = slot_of<StudyModel>(&StudyModel::set),
+               .slot = member<StudyModel>(&StudyModel::set),
                .most_entries = 100,
                .meaning = "Settings that override those of all projects: `[\"analysis.model=rigid_sphere\"]`.",
                .source = "Talus"},

@@ -151,7 +151,7 @@ Json echo(const Project& project) {
   Json out = Json::object();
   for (const Table& table : tables()) {
     Json list = Json::array();
-    for (const Row row : table.rows(copy)) {
+    for (const Row& row : table.rows(copy)) {
       Json written_row = *table_of(table, row, project.is_2d());
       drop_excluded(table, written_row);
       list.push_back(std::move(written_row));

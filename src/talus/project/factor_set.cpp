@@ -27,11 +27,11 @@ const Item* find_key(const std::vector<Item>& list, std::string_view key) {
 Row added_row(FactorSet& set, std::string_view table, int line) {
   const auto with_line = [line](auto& list) {
     list.emplace_back().line = line;
-    return Row(RowElsewhere(&list.back()));
+    return Row(&list.back());
   };
   if (table == "source") return with_line(set.sources);
   if (table == "factor") return with_line(set.factors);
-  return RowElsewhere(&set);
+  return &set;
 }
 
 /// Rules across the keys of a set.

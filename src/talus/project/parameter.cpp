@@ -53,22 +53,18 @@ Place place_of(const Slot& slot) {
       slot);
 }
 
-std::string name_of(const Row& row) {
-  return std::visit(
-      []<class Struct>(Struct each) -> std::string {
-        if constexpr (std::is_same_v<Struct, Material*> || std::is_same_v<Struct, Seeder*> ||
-                      std::is_same_v<Struct, Barrier*> || std::is_same_v<Struct, Area*>)
-          return each->name;
-        return {};
-      },
-      row);
+/// Of a row of a table whose rows have names; else empty.
+std::string name_of(const Table& table, const Row& row) {
+  const Setting* const name = table.find("name");
+  const auto* const text = name == nullptr ? nullptr : std::get<std::string*>(name->slot(row));
+  return text == nullptr ? "" : *text;
 }
 
 /// The rows of `table` that a part of a path names: `*`, a name or a zero-based number.
-std::vector<std::size_t> rows_named(const std::vector<Row>& rows, const std::string& part) {
+std::vector<std::size_t> rows_named(const Table& table, const std::vector<Row>& rows, const std::string& part) {
   std::vector<std::size_t> found;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (part == "*" || name_of(rows[k]) == part) found.push_back(k);
+    if (part == "*" || name_of(table, rows[k]) == part) found.push_back(k);
   }
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), number);
@@ -78,9 +74,9 @@ std::vector<std::size_t> rows_named(const std::vector<Row>& rows, const std::str
   return found;
 }
 
-std::string names_of(const std::vector<Row>& rows) {
+std::string names_of(const Table& table, const std::vector<Row>& rows) {
   std::string names;
-  for (const Row& row : rows) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name_of(row));
+  for (const Row& row : rows) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name_of(table, row));
   return names.empty() ? "there are none" : "the project has " + names;
 }
 
@@ -171,9 +167,9 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
   const std::vector<Row> rows = table->rows(copy);
   std::size_t next = 1;
   if (table->repeated) {
-    found.rows_ = rows_named(rows, (*parts)[next++]);
+    found.rows_ = rows_named(*table, rows, (*parts)[next++]);
     if (found.rows_.empty()) {
-      return refuse(fmt::format("{}names no [[{}]]", which, table_key), names_of(rows),
+      return refuse(fmt::format("{}names no [[{}]]", which, table_key), names_of(*table, rows),
                     "Use a name, a number from 0, or * for all");
     }
   } else {

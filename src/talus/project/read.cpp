@@ -21,9 +21,9 @@ namespace talus::project {
 namespace {
 
 void note_line(Row row, int line) {
-  if (auto* area = std::get_if<Area*>(&row)) (*area)->line = line;
-  if (auto* seeder = std::get_if<Seeder*>(&row)) (*seeder)->line = line;
-  if (auto* barrier = std::get_if<Barrier*>(&row)) (*barrier)->source_line = line;
+  if (auto* area = row.if_is<Area>()) area->line = line;
+  if (auto* seeder = row.if_is<Seeder>()) seeder->line = line;
+  if (auto* barrier = row.if_is<Barrier>()) barrier->source_line = line;
 }
 
 template <class Named>

@@ -4,6 +4,7 @@
 // Schema, the reference page, the forms of the workbench and the echo in summary.json are all generated from it. Each
 // table has its own file in settings/. Defaults are not repeated here: they are the initial values of the structs.
 
+#include <any>
 #include <functional>
 #include <limits>
 #include <map>
@@ -12,11 +13,9 @@
 #include <string>
 #include <string_view>
 #include <tuple>
-#include <typeinfo>
 #include <variant>
 #include <vector>
 
-#include "talus/core/check.hpp"
 #include "talus/project/project.hpp"
 #include "talus/project/words.hpp"
 #include "talus/sampling/distribution.hpp"
@@ -103,26 +102,26 @@ struct SlotWith<const std::tuple<Listed...>> {
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.
 using Slot = SlotWith<decltype(enumerations)>::Type;
 
-/// A row of a table in a file other than a project, whose settings are declared and read in the same way.
-class RowElsewhere {
+/// One row of a table: the struct that its settings are members of.
+class Row {
  public:
   template <class Struct>
-  explicit RowElsewhere(Struct* row) : row_(row), type_(&typeid(Struct)) {}
-  /// Expects the struct that it was made of.
+  Row(Struct* row) : row_(row) {}
+  /// Null if the row is another struct.
   template <class Struct>
-  [[nodiscard]] Struct* of() const {
-    TALUS_PROMISE(*type_ == typeid(Struct), "the setting is one of the row's table");
-    return static_cast<Struct*>(row_);
+  [[nodiscard]] Struct* if_is() const {
+    Struct* const* const found = std::any_cast<Struct*>(&row_);
+    return found == nullptr ? nullptr : *found;
+  }
+  /// Throws std::bad_any_cast if the row is another struct.
+  template <class Struct>
+  [[nodiscard]] Struct& as() const {
+    return *std::any_cast<Struct*>(row_);
   }
 
  private:
-  void* row_;
-  const std::type_info* type_;
+  std::any row_;  // a pointer
 };
-
-/// One row of a table: the struct that its settings are members of.
-using Row = std::variant<Project*, Analysis*, Sampling*, Terrain*, Material*, Ground*, Area*, Seeder*, Barrier*, Kit*,
-                         Design*, Output*, TitleBlock*, Layer*, Distribution*, RowElsewhere>;
 
 /// A condition on another setting: of the same row (its key), or of a table with one row ("terrain.raster").
 struct Condition {

@@ -80,7 +80,7 @@ StudyReading read_study_text(std::string_view text, const std::filesystem::path&
   Study& study = reading.study;
   const auto row = [&](std::string_view table, int line) -> project::Row {
     if (table == "result") return study::added_row(study.results, line);
-    return project::RowElsewhere(&study);
+    return &study;
   };
   const auto check = [&](study::StudyProblems& problems) { SensitivityCheck(study, problems).check(); };
   reading.warnings = study::read_study_text(text, file, study, {study_tables(), row, check});

@@ -7,12 +7,15 @@
 #include "talus/core/nearest.hpp"
 #include "talus/core/utf8.hpp"
 #include "talus/project/read_table.hpp"
+#include "talus/project/settings/slots.hpp"
 #include "talus/project/toml_kind.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::study {
 
 namespace {
+
+using project::declared::member;
 
 constexpr const char* site_key = "site";
 constexpr const char* parameter_key = "parameter";
@@ -33,17 +36,17 @@ project::Table site_table() {
       .meaning = "A project that the study runs.",
       .settings = {
           {.key = "name",
-           .slot = slot_of<GivenSite>(&GivenSite::name),
+           .slot = member(&GivenSite::name),
            .without_it = "\"site N\"",
            .meaning = "Name that other tables refer to.",
            .source = "Talus"},
           {.key = "project",
-           .slot = slot_of<GivenSite>(&GivenSite::project),
+           .slot = member(&GivenSite::project),
            .required = true,
            .meaning = "The project file, relative to the study file.",
            .source = "Talus"},
           {.key = "set",
-           .slot = slot_of<GivenSite>(&GivenSite::set),
+           .slot = member(&GivenSite::set),
            .most_entries = 100,
            .meaning = "Settings that override the project's, as `--set` does: `[\"analysis.grazing_angle_deg=5\"]`.",
            .source = "Talus"},
@@ -60,28 +63,28 @@ project::Table parameter_table() {
       .settings =
           {
               {.key = "path",
-               .slot = slot_of<Given>(&Given::path),
+               .slot = member<Given>(&Given::path),
                .required = true,
                .meaning = "Its path in the project, as in `--set`: `material.Scree.normal_restitution`; `*` for all "
                           "names.",
                .source = "Talus"},
               {.key = "range",
-               .slot = slot_of<Given>(&Given::range),
+               .slot = member<Given>(&Given::range),
                .most_entries = 2,
                .meaning = "Least and greatest value; all between are equally probable.",
                .source = "Talus"},
               {.key = "prior",
-               .slot = slot_of<Given>(&Given::prior),
+               .slot = member<Given>(&Given::prior),
                .without_it = "given by `range`",
                .meaning = "Its distribution: `{ mean = 0.4, distribution = \"normal\", std_dev = 0.1 }`.",
                .source = "Talus"},
               {.key = "sites",
-               .slot = slot_of<Given>(&Given::sites),
+               .slot = member<Given>(&Given::sites),
                .without_it = "all sites",
                .meaning = "The sites that have this parameter; they share its value.",
                .source = "Talus"},
               {.key = "each_site",
-               .slot = slot_of<Given>(&Given::each_site),
+               .slot = member<Given>(&Given::each_site),
                .meaning = "Each site has its own value.",
                .source = "Talus"},
           },

@@ -47,19 +47,11 @@ struct StudyFile {
   std::vector<GivenParameter> parameters;
 };
 
-/// The slot of a member of the row's struct or of what that is derived from.
-template <class Struct, class Owner, class Member>
-[[nodiscard]] std::function<project::Slot(project::Row)> slot_of(Member Owner::*pointer) {
-  return [pointer](project::Row row) -> project::Slot {
-    return &(std::get<project::RowElsewhere>(row).of<Struct>()->*pointer);
-  };
-}
-
 /// The row of a new entry of a list.
 template <class Struct>
 [[nodiscard]] project::Row added_row(std::vector<Struct>& list, int line) {
   list.emplace_back().line = line;
-  return project::RowElsewhere(&list.back());
+  return &list.back();
 }
 
 [[nodiscard]] project::Table site_table();

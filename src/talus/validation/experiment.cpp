@@ -15,16 +15,15 @@ namespace {
 
 using calibration::Study;
 using project::Row;
-using project::RowElsewhere;
 
 Row added_row(Experiment& experiment, std::string_view table, int line) {
   const auto with_line = [line](auto& list) {
     list.emplace_back().line = line;
-    return Row(RowElsewhere(&list.back()));
+    return Row(&list.back());
   };
   if (table == "model") return with_line(experiment.models);
   if (table == "published") return with_line(experiment.published);
-  return RowElsewhere(&experiment);
+  return &experiment;
 }
 
 /// What a study must be so that its sites can be predicted from each other.

@@ -1,20 +1,14 @@
 // The declaration of every setting of an experiment file.
 
+#include "talus/project/settings/slots.hpp"
 #include "talus/validation/experiment.hpp"
 
 namespace talus::validation {
 
 namespace {
 
-using project::Row;
-using project::RowElsewhere;
-using project::Slot;
 using project::Table;
-
-template <class Struct, class Member>
-std::function<Slot(Row)> slot_of(Member Struct::*pointer) {
-  return [pointer](Row row) -> Slot { return &(std::get<RowElsewhere>(row).of<Struct>()->*pointer); };
-}
+using project::declared::member;
 
 constexpr double most_runout_m = 1e6;
 constexpr std::size_t most_sentences = 50;
@@ -24,44 +18,44 @@ Table head() {
           .meaning = "The experiment.",
           .settings = {
               {.key = "title",
-               .slot = slot_of(&Experiment::title),
+               .slot = member(&Experiment::title),
                .required = true,
                .meaning = "Title of the report.",
                .source = "Talus"},
               {.key = "summary",
-               .slot = slot_of(&Experiment::summary),
+               .slot = member(&Experiment::summary),
                .required = true,
                .meaning = "What was done in the field.",
                .source = "Talus"},
               {.key = "licence",
-               .slot = slot_of(&Experiment::licence),
+               .slot = member(&Experiment::licence),
                .required = true,
                .meaning = "Licence of the data.",
                .source = "Talus"},
               {.key = "citations",
-               .slot = slot_of(&Experiment::citations),
+               .slot = member(&Experiment::citations),
                .required = true,
                .most_entries = most_sentences,
                .meaning = "Where the data were published.",
                .source = "Talus"},
               {.key = "limits",
-               .slot = slot_of(&Experiment::limits),
+               .slot = member(&Experiment::limits),
                .most_entries = most_sentences,
                .meaning = "What the data do not say; shown wherever results are.",
                .source = "Talus"},
               {.key = "split",
-               .slot = slot_of(&Experiment::split),
+               .slot = member(&Experiment::split),
                .required = true,
                .meaning = "How the runs were divided into the sites of the studies.",
                .source = "Talus"},
               {.key = "sought",
-               .slot = slot_of(&Experiment::sought),
+               .slot = member(&Experiment::sought),
                .required = true,
                .most_entries = most_sentences,
                .meaning = "What was sought, with the sources of the ranges.",
                .source = "Talus"},
               {.key = "not_sought",
-               .slot = slot_of(&Experiment::not_sought),
+               .slot = member(&Experiment::not_sought),
                .required = true,
                .most_entries = most_sentences,
                .meaning = "What was not.",
@@ -76,12 +70,12 @@ Table model() {
           .meaning = "A way to calculate the experiment.",
           .settings = {
               {.key = "name",
-               .slot = slot_of(&ExperimentModel::name),
+               .slot = member(&ExperimentModel::name),
                .required = true,
                .meaning = "Name in tables and figures.",
                .source = "Talus"},
               {.key = "study",
-               .slot = slot_of(&ExperimentModel::study),
+               .slot = member(&ExperimentModel::study),
                .required = true,
                .meaning = "A study file in the same folder. Its sites are predicted from each other.",
                .source = "Talus"},
@@ -94,31 +88,31 @@ Table published() {
           .meaning = "What another program reached on this experiment.",
           .settings = {
               {.key = "name",
-               .slot = slot_of(&PublishedResult::name),
+               .slot = member(&PublishedResult::name),
                .required = true,
                .meaning = "The program, and how it was used.",
                .source = "Talus"},
               {.key = "source",
-               .slot = slot_of(&PublishedResult::source),
+               .slot = member(&PublishedResult::source),
                .required = true,
                .meaning = "Where this was published.",
                .source = "Talus"},
               {.key = "observed_mean_m",
-               .slot = slot_of(&PublishedResult::observed_mean_m),
+               .slot = member(&PublishedResult::observed_mean_m),
                .unit = "m",
                .range = {.least = 0, .most = most_runout_m},
                .required = true,
                .meaning = "Mean observed runout of the runs that it was compared with.",
                .source = "Talus"},
               {.key = "predicted_mean_m",
-               .slot = slot_of(&PublishedResult::predicted_mean_m),
+               .slot = member(&PublishedResult::predicted_mean_m),
                .unit = "m",
                .range = {.least = 0, .most = most_runout_m},
                .required = true,
                .meaning = "Its mean runout.",
                .source = "Talus"},
               {.key = "mean_abs_error_m",
-               .slot = slot_of(&PublishedResult::mean_abs_error_m),
+               .slot = member(&PublishedResult::mean_abs_error_m),
                .unit = "m",
                .range = {.least = 0, .most = most_runout_m},
                .without_it = "not shown",

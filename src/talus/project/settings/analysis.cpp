@@ -8,7 +8,7 @@ namespace talus::project::declared {
 namespace {
 
 std::function<Slot(Row)> laws_slot() {
-  return [](Row row) -> Slot { return LawsSlot{std::get<Analysis*>(row)}; };
+  return [](const Row& row) -> Slot { return LawsSlot{&row.as<Analysis>()}; };
 }
 
 }  // namespace

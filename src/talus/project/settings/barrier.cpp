@@ -7,7 +7,7 @@ namespace talus::project::declared {
 namespace {
 
 std::function<Slot(Row)> barrier_line_slot() {
-  return [](Row row) -> Slot { return PlanLineSlot{&std::get<Barrier*>(row)->line}; };
+  return [](const Row& row) -> Slot { return PlanLineSlot{&row.as<Barrier>().line}; };
 }
 
 Row added_barrier(Project& project, bool is_collector) {

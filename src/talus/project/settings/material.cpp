@@ -8,7 +8,7 @@ namespace talus::project::declared {
 namespace {
 
 std::function<Slot(Row)> library_slot() {
-  return [](Row row) -> Slot { return LibrarySlot{std::get<Material*>(row)}; };
+  return [](const Row& row) -> Slot { return LibrarySlot{&row.as<Material>()}; };
 }
 
 }  // namespace

@@ -9,16 +9,16 @@ namespace talus::project::declared {
 namespace {
 
 std::function<Slot(Row)> limit_slot(std::optional<std::int64_t> Output::*limit) {
-  return [limit](Row row) -> Slot { return LimitSlot{&(std::get<Output*>(row)->*limit)}; };
+  return [limit](const Row& row) -> Slot { return LimitSlot{&(row.as<Output>().*limit)}; };
 }
 std::function<Slot(Row)> runout_point_slot() {
-  return [](Row row) -> Slot { return PlanPointSlot{&std::get<Output*>(row)->runout_from}; };
+  return [](const Row& row) -> Slot { return PlanPointSlot{&row.as<Output>().runout_from}; };
 }
 std::function<Slot(Row)> runout_line_slot() {
-  return [](Row row) -> Slot { return PlanLineSlot{&std::get<Output*>(row)->runout_along}; };
+  return [](const Row& row) -> Slot { return PlanLineSlot{&row.as<Output>().runout_along}; };
 }
 std::function<Slot(Row)> map_cell_slot() {
-  return [](Row row) -> Slot { return MapCellSlot{&std::get<Output*>(row)->raster_cell_m}; };
+  return [](const Row& row) -> Slot { return MapCellSlot{&row.as<Output>().raster_cell_m}; };
 }
 
 }  // namespace

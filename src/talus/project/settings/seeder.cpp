@@ -9,13 +9,13 @@ namespace talus::project::declared {
 namespace {
 
 std::function<Slot(Row)> position_slot() {
-  return [](Row row) -> Slot { return PositionSlot{std::get<Seeder*>(row)}; };
+  return [](const Row& row) -> Slot { return PositionSlot{&row.as<Seeder>()}; };
 }
 std::function<Slot(Row)> points_slot() {
-  return [](Row row) -> Slot { return PointsSlot{std::get<Seeder*>(row)}; };
+  return [](const Row& row) -> Slot { return PointsSlot{&row.as<Seeder>()}; };
 }
 std::function<Slot(Row)> direction_slot() {
-  return [](Row row) -> Slot { return DirectionSlot{&std::get<Seeder*>(row)->direction}; };
+  return [](const Row& row) -> Slot { return DirectionSlot{&row.as<Seeder>().direction}; };
 }
 
 /// For keys that give the position of one type of seeder.

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -10,14 +11,16 @@
 
 namespace talus::project::declared {
 
-template <class Struct, class Member>
-std::function<Slot(Row)> member(Member Struct::*pointer) {
-  return [pointer](Row row) -> Slot { return &(std::get<Struct*>(row)->*pointer); };
+/// The slot of a member of the row's struct; with `Struct`, which is derived from `Owner`, of what it inherits.
+template <class Struct = void, class Owner, class Member>
+std::function<Slot(Row)> member(Member Owner::*pointer) {
+  using RowStruct = std::conditional_t<std::is_void_v<Struct>, Owner, Struct>;
+  return [pointer](const Row& row) -> Slot { return &(row.as<RowStruct>().*pointer); };
 }
 
 template <class Struct>
 std::function<Slot(Row)> plan_polygon_slot() {
-  return [](Row row) -> Slot { return PlanPolygonSlot{&std::get<Struct*>(row)->polygon}; };
+  return [](const Row& row) -> Slot { return PlanPolygonSlot{&row.as<Struct>().polygon}; };
 }
 
 /// For a table with exactly one row: the functions `add` and `rows` of its declaration.

@@ -33,8 +33,8 @@ Table terrain_table() {
       .settings =
           {
               {.key = "section",
-               .slot = [](Row row) -> Slot {
-                 auto* terrain = std::get<Terrain*>(row);
+               .slot = [](const Row& row) -> Slot {
+                 auto* terrain = &row.as<Terrain>();
                  return SectionSlot{&terrain->section, &terrain->section_file};
                },
                .unit = "m",
@@ -87,7 +87,7 @@ Table terrain_table() {
                .meaning = "Extrudes the section along y, from y = 0 to this width, into a 3D terrain.",
                .source = "Talus"},
               {.key = "mesh",
-               .slot = [](Row row) -> Slot { return FilesSlot{&std::get<Terrain*>(row)->meshes}; },
+               .slot = [](const Row& row) -> Slot { return FilesSlot{&row.as<Terrain>().meshes}; },
                .without_it = one_terrain,
                .group = "Surface",
                .meaning = mesh_meaning,
