@@ -8,7 +8,7 @@
 #include <new>
 #include <system_error>
 
-#include "commands.hpp"
+#include "exit_codes.hpp"
 #include "standard_streams.hpp"
 #include "talus/core/memory_reserve.hpp"
 #include "talus/core/problems.hpp"

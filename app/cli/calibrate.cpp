@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "answer.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "progress.hpp"
 #include "standard_streams.hpp"
@@ -26,6 +29,13 @@
 namespace talus::cli {
 
 namespace {
+
+struct CalibrateOptions {
+  std::filesystem::path study;
+  std::filesystem::path folder;  // empty: named after the study, next to its file
+  int threads = 0;
+  bool quiet = false;
+};
 
 using calibration::CalibrationResult;
 using calibration::HeldOut;
@@ -113,8 +123,6 @@ std::filesystem::path model_folder(const std::filesystem::path& folder, std::siz
   return folder / fmt::format("model-{}", model + 1);
 }
 
-}  // namespace
-
 int calibrate(const CalibrateOptions& options) {
   take_threads(options.threads);
   const calibration::StudyReading reading = calibration::read_study(options.study);
@@ -146,6 +154,25 @@ int calibrate(const CalibrateOptions& options) {
     to_stderr("stopped; finished sets are kept in {}, and the same command continues from there\n", folder.string());
     return stopped;
   }
+}
+
+}  // namespace
+
+Command add_calibrate(CLI::App& app) {
+  const auto options = std::make_shared<CalibrateOptions>();
+  CLI::App* command = app.add_subcommand(
+      "calibrate", "Find the parameters that agree with observed rocks, and how well they are known");
+  command->add_option("study", options->study, "The study file (TOML)")
+      ->required()
+      ->check(names_file)
+      ->type_name("STUDY.toml");
+  add_output_folder(
+      *command, options->folder,
+      "Folder for the results (default: named after the study, next to its file). Sets of parameters that "
+      "are finished there are not run again");
+  add_threads(*command, options->threads);
+  add_quiet(*command, options->quiet);
+  return {command, [options] { return calibrate(*options); }};
 }
 
 }  // namespace talus::cli

@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <memory>
+
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/thread_supply.hpp"
@@ -8,6 +12,8 @@
 #include "talus/model/check_releases.hpp"
 
 namespace talus::cli {
+
+namespace {
 
 int check(const ProjectOptions& options) {
   take_available_threads();
@@ -21,6 +27,15 @@ int check(const ProjectOptions& options) {
   fmt::print("{}: no errors; {} rocks from {} {}\n", options.file.string(), loaded.model.rocks(),
              loaded.model.seeders.size(), loaded.model.seeders.size() == 1 ? "seeder" : "seeders");
   return done;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& app) {
+  const auto options = std::make_shared<ProjectOptions>();
+  CLI::App* command = app.add_subcommand("check", "Report all problems of a project, with file, line and key");
+  add_project(*command, *options);
+  return {command, [options] { return check(*options); }};
 }
 
 }  // namespace talus::cli

@@ -4,12 +4,15 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 
+#include "command_options.hpp"
 #include "command_tree.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 
 namespace talus::cli {
 
@@ -211,8 +214,6 @@ void print_fish(const std::vector<DeclaredCommand>& commands) {
   }
 }
 
-}  // namespace
-
 int completion(const CLI::App& app, const std::string& shell) {
   const std::vector<DeclaredCommand> commands = declared_commands(app);
   if (shell == "bash")
@@ -222,6 +223,19 @@ int completion(const CLI::App& app, const std::string& shell) {
   else
     print_fish(commands);
   return done;
+}
+
+}  // namespace
+
+Command add_completion(CLI::App& app) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand(
+      "completion", "Print a script that completes commands and options in a shell: eval \"$(talus completion bash)\"");
+  command->add_option("shell", *shell, "The shell")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->type_name("bash|zsh|fish");
+  return {command, [&app, shell] { return completion(app, *shell); }};
 }
 
 }  // namespace talus::cli

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "earlier_output.hpp"
+#include "exit_codes.hpp"
 #include "talus/archive/table_columns.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/export/stored_paths.hpp"
@@ -16,6 +19,12 @@
 namespace talus::cli {
 
 namespace {
+
+struct ExportOptions {
+  std::filesystem::path folder;  // of a run
+  std::string paths;             // "all" or a number of rocks
+  std::filesystem::path file;    // empty: standard output
+};
 
 /// nullopt: all.
 std::optional<std::uint64_t> rocks_wanted(const std::string& text) {
@@ -44,8 +53,6 @@ struct StandardOutput : TextSink {
   void write(std::string_view text) override { fmt::print("{}", text); }
 };
 
-}  // namespace
-
 int export_paths(const ExportOptions& options) {
   const std::optional<std::uint64_t> wanted = rocks_wanted(options.paths);
   if (!options.file.empty()) {
@@ -64,6 +71,25 @@ int export_paths(const ExportOptions& options) {
   out.commit();
   fmt::print("{}\n", options.file.string());
   return done;
+}
+
+}  // namespace
+
+Command add_export(CLI::App& app) {
+  const auto options = std::make_shared<ExportOptions>();
+  CLI::App* command =
+      app.add_subcommand("export", "Make the table paths.csv from the trajectories that a run has stored");
+  command->add_option("folder", options->folder, "Folder of the run")
+      ->required()
+      ->check(names_folder)
+      ->type_name("DIR");
+  command->add_option("--paths", options->paths, "The rocks: all in the store, or a number of them, evenly spread")
+      ->default_val("all")
+      ->type_name("all|N");
+  command->add_option("-o,--output", options->file, "Table to write (default: standard output)")
+      ->check(names_file)
+      ->type_name("FILE");
+  return {command, [options] { return export_paths(*options); }};
 }
 
 }  // namespace talus::cli

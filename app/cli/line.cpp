@@ -7,7 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "talus/archive/design_json.hpp"
 #include "talus/archive/design_tables.hpp"
@@ -25,6 +27,20 @@
 namespace talus::cli {
 
 namespace {
+
+/// A question to a finished run; one of line, barrier, polygon and ditch.
+struct LineOptions {
+  std::filesystem::path folder;               // of the run
+  std::string line, polygon;                  // "x,y x,y ...", or a file
+  std::string barrier;                        // of the run
+  std::vector<double> ditch;                  // its toe and far edge
+  std::optional<double> height_m, energy_kJ;  // of a kit to judge; both or neither
+  std::optional<double> section_m;
+  std::vector<std::string> design;  // KEY=VALUE of [design]
+  std::filesystem::path files;      // folder of the project's files; empty: the one that `folder` is in
+  std::filesystem::path json;       // empty: none
+  bool csv = false;
+};
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -249,8 +265,6 @@ void write_json(const fs::path& file, const Json& json) {
   out.commit();
 }
 
-}  // namespace
-
 int line(const LineOptions& options) {
   take_available_threads();
   const fs::path store = options.folder / trajectories_name;
@@ -311,6 +325,47 @@ int line(const LineOptions& options) {
   write_json(options.json, json);
   print_line(json, asked.sources(), run.model);
   return done;
+}
+
+}  // namespace
+
+Command add_line(CLI::App& app) {
+  const auto options = std::make_shared<LineOptions>();
+  CLI::App* command =
+      app.add_subcommand("line", "Ask a finished run what crosses a line, or enters a polygon, on plan");
+  command->add_option("folder", options->folder, "Folder of the run, with its trajectories.bin")
+      ->required()
+      ->check(names_folder)
+      ->type_name("DIR");
+  add_question(*command, options->line, options->barrier, options->polygon)
+      .add_option("--ditch", options->ditch,
+                  "2D: the toe and the far edge of a ditch or bench: where do rocks strike it, which get beyond it?")
+      ->expected(2)
+      ->type_name("X");
+  auto* const kit_height =
+      command->add_option("--height", options->height_m, "Nominal height of a kit on the line: what does it stop?")
+          ->check(CLI::Range(1e-3, 1e3))
+          ->type_name("M");
+  auto* const kit_energy = command->add_option("--energy", options->energy_kJ, "Its maximum energy level")
+                               ->check(CLI::Range(1e-3, 1e9))
+                               ->type_name("KJ");
+  kit_height->needs(kit_energy);
+  kit_energy->needs(kit_height);
+  command
+      ->add_option("--section", options->section_m,
+                   "Length of the stretches of the profile (default: section_m of [design], or about a twentieth)")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->type_name("M");
+  add_overrides(*command, "--design", options->design,
+                "Override a key of [design], for example --design standard=none; repeatable");
+  command->add_option("--files", options->files, "Folder of the project's files (default: the folder that DIR is in)")
+      ->check(names_folder)
+      ->type_name("DIR");
+  auto* const json_file = command->add_option("--json", options->json, "Also write everything as JSON")
+                              ->check(names_file)
+                              ->type_name("FILE");
+  command->add_flag("--csv", options->csv, "Print the rows of design.csv instead of a table")->excludes(json_file);
+  return {command, [options] { return line(*options); }};
 }
 
 }  // namespace talus::cli

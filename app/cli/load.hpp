@@ -2,14 +2,26 @@
 // A project from its file to a model, for every command that needs one.
 
 #include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "commands.hpp"
 #include "talus/campaign/model.hpp"
 #include "talus/campaign/shard.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/project/project.hpp"
 
 namespace talus::cli {
+
+/// A project file and options that override its settings.
+struct ProjectOptions {
+  std::filesystem::path file;
+  std::vector<std::string> settings;
+  std::optional<std::int64_t> rocks;
+  std::optional<std::uint64_t> seed;
+};
 
 struct Loaded {
   project::Project project;

@@ -7,6 +7,7 @@
 
 #include "command_tree.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 
 namespace talus::cli {
 
@@ -64,8 +65,6 @@ std::string usage_of(const DeclaredCommand& command) {
   return usage;
 }
 
-}  // namespace
-
 int manual(const CLI::App& app) {
   const std::vector<DeclaredCommand> commands = declared_commands(app);
   fmt::print(
@@ -91,6 +90,13 @@ int manual(const CLI::App& app) {
       ".SH EXAMPLES\nA first project, its results, and the workbench:\n.PP\n.nf\n.RS\n"
       "talus new slope.toml\ntalus run slope.toml \\-o out\ntalus serve \\-\\-open slope.toml\n.RE\n.fi\n");
   return done;
+}
+
+}  // namespace
+
+Command add_manual(CLI::App& app) {
+  return {app.add_subcommand("manual", "Print the manual page: talus manual | man -l -"),
+          [&app] { return manual(app); }};
 }
 
 }  // namespace talus::cli

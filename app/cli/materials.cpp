@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "talus/project/material_library.hpp"
 
 namespace talus::cli {
@@ -25,8 +26,6 @@ std::string heading(const std::string& key) {
   const auto found = symbols.find(key);
   return found == symbols.end() ? key : found->second;
 }
-
-}  // namespace
 
 int materials() {
   const project::MaterialLibrary& library = project::material_library();
@@ -57,6 +56,12 @@ int materials() {
       "values; keys without a value from a source keep their defaults. docs/materials.md describes how the numbers\n"
       "were checked.\n");
   return done;
+}
+
+}  // namespace
+
+Command add_materials(CLI::App& app) {
+  return {app.add_subcommand("materials", "List the library of ground materials, with their sources"), materials};
 }
 
 }  // namespace talus::cli

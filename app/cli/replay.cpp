@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <numbers>
 
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "talus/archive/result_tables.hpp"
 #include "talus/campaign/simulate.hpp"
@@ -13,6 +16,12 @@
 namespace talus::cli {
 
 namespace {
+
+struct ReplayOptions {
+  ProjectOptions project;
+  std::uint64_t rock = 0;
+  bool csv = false;
+};
 
 void print_row(const TableContext& context, const RockRecord& record, const char* state, const Motion& motion) {
   const Vec3 p = context.frame.global_from_local(motion.position);
@@ -25,8 +34,6 @@ void print_row(const TableContext& context, const RockRecord& record, const char
       state, motion.time, p.x(), p.y(), p.z(), v.x(), v.y(), v.z(), w.x(), w.y(), w.z(), kinetic / 1000,
       potential / 1000, (kinetic + potential) / 1000);
 }
-
-}  // namespace
 
 int replay(const ReplayOptions& options) {
   take_available_threads();
@@ -79,6 +86,20 @@ int replay(const ReplayOptions& options) {
       "ended: {}; maximum total kinetic energy {:.3f} kJ, maximum bounce height {:.3f} m (of its lowest point)\n",
       name(outcome.reason), outcome.max_kinetic_energy / 1000, outcome.max_bounce);
   return done;
+}
+
+}  // namespace
+
+Command add_replay(CLI::App& app) {
+  const auto options = std::make_shared<ReplayOptions>();
+  CLI::App* command = app.add_subcommand("replay", "Simulate one rock of a project again and print every event");
+  add_project(*command, options->project);
+  command->add_option("--rock", options->rock, "Number of the rock, as in endpoints.csv (zero-based)")
+      ->transform(natural_number())
+      ->required()
+      ->type_name("N");
+  command->add_flag("--csv", options->csv, "Print the rows of paths.csv instead of a table");
+  return {command, [options] { return replay(*options); }};
 }
 
 }  // namespace talus::cli

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "outcome.hpp"
 #include "progress.hpp"
@@ -26,6 +28,18 @@
 namespace talus::cli {
 
 namespace {
+
+struct RunOptions {
+  ProjectOptions project;
+  std::filesystem::path folder;  // empty: named after the project, next to its file
+  int threads = 0;
+  bool quiet = false;
+  std::string shard;  // "2/7"; empty: the whole campaign
+  bool resume = false;
+  double checkpoint_every = 20;   // [s]; 0: never
+  bool alone = false;             // even if a launcher started several processes
+  std::uint64_t maps_memory = 0;  // [bytes]; 0: half of the available memory
+};
 
 std::string shard_name(const RunOptions& options, const project::RunResult& result) {
   const RockRange& range = result.range;
@@ -160,8 +174,6 @@ int help_rank_0(const RunOptions& options, Ranks& ranks) {
   }
 }
 
-}  // namespace
-
 int run(const RunOptions& options) {
   std::unique_ptr<Ranks> ranks;
   try {
@@ -177,6 +189,34 @@ int run(const RunOptions& options) {
   std::fflush(nullptr);  // once another rank ends, the launcher may end this one
   project::dismiss_ranks(*ranks, code);
   return code;
+}
+
+}  // namespace
+
+Command add_run(CLI::App& app) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "Run a project, and write tables and a report");
+  add_project(*command, options->project);
+  add_output_folder(*command, options->folder,
+                    "Folder for the results (default: named after the project, next to its file)");
+  add_threads(*command, options->threads,
+              "Number of threads per process (default: all cores, shared among the processes)");
+  add_quiet(*command, options->quiet);
+  command
+      ->add_option("--shard", options->shard,
+                   "Run only part i of n of the campaign (i from 1 to n); `talus merge` combines the parts")
+      ->check(not_empty("\"\" is not a shard; expected i/n with i from 1 to n, for example 2/7"))
+      ->type_name("i/n");
+  command->add_flag("--resume", options->resume, "Continue from the last checkpoint in the folder");
+  command
+      ->add_option("--checkpoint-every", options->checkpoint_every,
+                   "Time between checkpoints, from which --resume continues; 0: no checkpoints")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str()
+      ->type_name("SECONDS");
+  add_maps_memory(*command, options->maps_memory);
+  command->add_flag("--alone", options->alone, "Run all rocks in this process, even if mpirun or srun started several");
+  return {command, [options] { return run(*options); }};
 }
 
 }  // namespace talus::cli

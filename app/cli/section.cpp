@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <utility>
 
+#include "command_options.hpp"
 #include "commands.hpp"
 #include "earlier_output.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "talus/files/file_formats.hpp"
 #include "talus/files/output_file.hpp"
@@ -15,6 +18,14 @@
 namespace talus::cli {
 
 namespace {
+
+struct SectionOptions {
+  std::filesystem::path terrain;  // a project, a raster or a mesh
+  std::string line;               // as in LineOptions
+  std::string crs;                // of a raster or mesh that names none; empty: that of the file
+  double tolerance_m = 0;
+  std::filesystem::path file;  // empty: standard output
+};
 
 /// The project, or one with nothing but a terrain from one file.
 project::Project project_of_terrain(const SectionOptions& options, Problems& warnings) {
@@ -41,8 +52,6 @@ project::Project project_of_terrain(const SectionOptions& options, Problems& war
   return project;
 }
 
-}  // namespace
-
 int section(const SectionOptions& options) {
   if (!options.file.empty()) refuse_other_files(options.file, section_header, "table of a section");
   Problems warnings;
@@ -66,6 +75,34 @@ int section(const SectionOptions& options) {
   fmt::print("{} vertices over {:.6g} m. In a project: section = \"{}\"\n", cut.size(), cut.back().distance,
              options.file.filename().string());
   return done;
+}
+
+}  // namespace
+
+Command add_section(CLI::App& app) {
+  const auto options = std::make_shared<SectionOptions>();
+  CLI::App* command = app.add_subcommand("section", "Cut a section from a terrain along a line on plan");
+  command->add_option("terrain", options->terrain, "A raster or mesh in metres, or a project in 3D")
+      ->required()
+      ->check(names_file)
+      ->type_name("TERRAIN");
+  command
+      ->add_option("--line", options->line,
+                   "Corners \"x,y x,y ...\", a table (.csv) with the columns x_m and y_m, or a GIS file with one line")
+      ->required()
+      ->check(names_line)
+      ->type_name("LINE");
+  command
+      ->add_option("--tolerance", options->tolerance_m,
+                   "Leave out vertices within this distance of the line through the others")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("M");
+  command->add_option("--crs", options->crs, "Coordinate system of a file that names none, or \"local\"")
+      ->type_name("CRS");
+  command->add_option("-o,--output", options->file, "File for the table (default: standard output)")
+      ->check(names_file)
+      ->type_name("FILE.csv");
+  return {command, [options] { return section(*options); }};
 }
 
 }  // namespace talus::cli

@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "answer.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "progress.hpp"
 #include "standard_streams.hpp"
@@ -18,6 +21,13 @@
 namespace talus::cli {
 
 namespace {
+
+struct SensitivityOptions {
+  std::filesystem::path study;
+  std::filesystem::path folder;  // empty: named after the study, next to its file
+  int threads = 0;
+  bool quiet = false;
+};
 
 void print_effects(const sensitivity::Study& study, const sensitivity::Analysis& analysis) {
   const bool is_morris = study.method == sensitivity::Method::morris;
@@ -71,8 +81,6 @@ int analyse(const SensitivityOptions& options) {
   return done;
 }
 
-}  // namespace
-
 int sensitivity(const SensitivityOptions& options) {
   try {
     return analyse(options);
@@ -80,6 +88,22 @@ int sensitivity(const SensitivityOptions& options) {
     to_stderr("stopped; finished runs are kept, and the same command continues from there\n");
     return stopped;
   }
+}
+
+}  // namespace
+
+Command add_sensitivity(CLI::App& app) {
+  const auto options = std::make_shared<SensitivityOptions>();
+  CLI::App* command = app.add_subcommand("sensitivity", "Find which inputs of a project its results depend on");
+  command->add_option("study", options->study, "The study file (TOML)")
+      ->required()
+      ->check(names_file)
+      ->type_name("STUDY.toml");
+  add_output_folder(*command, options->folder,
+                    "Folder for the results (default: named after the study, next to its file)");
+  add_threads(*command, options->threads);
+  add_quiet(*command, options->quiet);
+  return {command, [options] { return sensitivity(*options); }};
 }
 
 }  // namespace talus::cli

@@ -9,11 +9,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "answer.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "standard_streams.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/problems.hpp"
@@ -26,6 +29,16 @@
 extern char** environ;
 
 namespace talus::cli {
+
+namespace {
+
+struct ServeOptions {
+  std::filesystem::path project;  // or a folder; empty: the current folder
+  int port = 8425;
+  bool open = false;
+};
+
+}  // namespace
 
 #ifdef TALUS_HAS_SERVER
 
@@ -76,7 +89,7 @@ void open_in_browser(const OpeningPage& page) {
 
 }  // namespace
 
-int serve(const ServeOptions& options) {
+static int serve(const ServeOptions& options) {
   server::ServeOptions how;
   std::error_code error;
   if (std::filesystem::is_directory(options.project, error)) {
@@ -119,12 +132,29 @@ int serve(const ServeOptions& options) {
 
 #else
 
-int serve(const ServeOptions&) {
+static int serve(const ServeOptions&) {
   throw BadInput(Problem{.where = "serve",
                          .what = "this program was built without the workbench",
                          .hint = "Build it with -DTALUS_SERVER=ON"});
 }
 
 #endif
+
+Command add_serve(CLI::App& app) {
+  const auto options = std::make_shared<ServeOptions>();
+  CLI::App* command =
+      app.add_subcommand("serve", "Start the workbench: build models, run them and explore results in the browser");
+  command
+      ->add_option("project", options->project,
+                   "Project to open first, or working folder (default: the current folder)")
+      ->check(names_file)
+      ->type_name("PROJECT.toml");
+  command->add_option("--port", options->port, "Port on this machine (0: any free port)")
+      ->check(CLI::Range(0, 65535))
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_flag("--open", options->open, "Also open the browser");
+  return {command, [options] { return serve(*options); }};
+}
 
 }  // namespace talus::cli

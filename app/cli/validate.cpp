@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
 
 #include "answer.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "progress.hpp"
 #include "standard_streams.hpp"
@@ -19,6 +22,14 @@
 namespace talus::cli {
 
 namespace {
+
+struct ValidateOptions {
+  std::vector<std::string> experiments;  // names or folders; empty: all that are built in
+  std::filesystem::path folder;          // empty: out/validation
+  int threads = 0;
+  bool quiet = false;
+  std::optional<std::int64_t> rocks, draws;  // instead of the studies' own
+};
 
 using validation::Experiment;
 using validation::ModelResult;
@@ -70,8 +81,6 @@ void validate_one(Experiment experiment, const std::filesystem::path& folder, co
   flush_output();
 }
 
-}  // namespace
-
 int validate(const ValidateOptions& options) {
   take_threads(options.threads);
   const std::filesystem::path results =
@@ -112,6 +121,29 @@ int validate(const ValidateOptions& options) {
     to_stderr("stopped; experiments that were not finished have no results\n");
     return stopped;
   }
+}
+
+}  // namespace
+
+Command add_validate(CLI::App& app) {
+  const auto options = std::make_shared<ValidateOptions>();
+  CLI::App* command = app.add_subcommand(
+      "validate", "Predict each half of a field experiment from the other half, and compare with what was observed");
+  command
+      ->add_option("experiments", options->experiments,
+                   "Names of built-in experiments, or folders with an experiment.toml (default: all built-in ones)")
+      ->type_name("EXPERIMENT");
+  add_output_folder(*command, options->folder,
+                    "Folder for the results, one folder in it for each experiment (default: out/validation)");
+  command->add_option("--rocks", options->rocks, "Rocks of each set of parameters, instead of the studies'")
+      ->transform(number_of_rocks())
+      ->type_name("N");
+  command->add_option("--draws", options->draws, "Sets of parameters, instead of the studies'")
+      ->check(CLI::Range(50, 1000000))
+      ->type_name("N");
+  add_threads(*command, options->threads);
+  add_quiet(*command, options->quiet);
+  return {command, [options] { return validate(*options); }};
 }
 
 }  // namespace talus::cli

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "answer.hpp"
+#include "command_options.hpp"
 #include "commands.hpp"
+#include "exit_codes.hpp"
 #include "load.hpp"
 #include "progress.hpp"
 #include "standard_streams.hpp"
@@ -25,6 +28,18 @@
 namespace talus::cli {
 
 namespace {
+
+/// A question to a project and its variations; one of line, barrier and polygon.
+struct WhatIfOptions {
+  ProjectOptions project;
+  std::string line, polygon, barrier;  // as in LineOptions
+  std::vector<std::string> steps;      // FACTOR=PERCENT; empty: the usual ones
+  std::string material;                // alone; empty: all
+  std::optional<double> within_s;      // time for the runs
+  std::filesystem::path folder;        // for tables; empty: none
+  int threads = 0;
+  bool quiet = false;
+};
 
 /// "normal_restitution=10%"
 what_if::Step step_of(const std::string& text) {
@@ -103,8 +118,6 @@ void write_results(const std::filesystem::path& folder, const what_if::WhatIf& a
   write("what_if.json", json_of(asked, answer).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
-}  // namespace
-
 int what_if(const WhatIfOptions& options) {
   take_threads(options.threads);
   catch_stop_signals();
@@ -146,6 +159,35 @@ int what_if(const WhatIfOptions& options) {
   if (is_complete) return done;
   to_stderr("stopped; the figures are of the rocks so far, a fair sample\n");
   return stopped;
+}
+
+}  // namespace
+
+Command add_what_if(CLI::App& app) {
+  const auto options = std::make_shared<WhatIfOptions>();
+  CLI::App* command = app.add_subcommand(
+      "what-if",
+      "Compare what crosses a line, or enters a polygon, with other values of the project, for the same rocks");
+  add_project(*command, options->project);
+  add_question(*command, options->line, options->barrier, options->polygon);
+  add_overrides(*command, "--step", options->steps,
+                "A factor and its step, for example --step normal_restitution=10%; repeatable (default: those that "
+                "the project has of normal_restitution, tangential_restitution, friction_angle, dynamic_friction, "
+                "rolling_friction by 10 %, roughness, forest_drag, mass by 25 %)",
+                "FACTOR=PERCENT");
+  command->add_option("--material", options->material, "Vary this material alone (default: all)")
+      ->check(not_empty("\"\" is not a material"))
+      ->type_name("NAME");
+  command
+      ->add_option("--within", options->within_s,
+                   "Time for the runs: as many rocks as fit, a fair sample of the project's (default: all, at most "
+                   "200,000)")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("SECONDS");
+  add_output_folder(*command, options->folder, "Folder for what_if.csv and what_if.json (default: none)");
+  add_threads(*command, options->threads);
+  add_quiet(*command, options->quiet, "Print only the table, warnings and errors");
+  return {command, [options] { return what_if(*options); }};
 }
 
 }  // namespace talus::cli
