@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
+namespace talus::barrier_check_test {
 namespace {
 
 /// A survey of average quality, restitutions from literature, moderate consequences.
@@ -98,4 +98,4 @@ TEST(KitClass, AgreesWithTheAssessmentDocument) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::barrier_check_test

@@ -11,7 +11,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::barrier_test {
 namespace {
 
 using namespace testing_tools;
@@ -407,4 +407,4 @@ TEST(BarrierOnAPath, ACollectorInTheAirChangesNothing) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::barrier_test

@@ -10,7 +10,7 @@
 #include "talus/barriers/crossing.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::bends_and_rebounds_test {
 namespace {
 
 using namespace testing_tools;
@@ -216,4 +216,4 @@ TEST(Crossing, OfASphereWithTheSideOfTwoPanels) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bends_and_rebounds_test

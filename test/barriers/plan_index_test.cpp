@@ -4,7 +4,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::plan_index_test {
 namespace {
 
 using namespace testing_tools;
@@ -63,4 +63,4 @@ TEST(PlanIndex, WithoutRectanglesVisitsNone) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::plan_index_test

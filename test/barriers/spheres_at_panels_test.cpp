@@ -14,7 +14,7 @@
 #include "talus/terrain/facet_contact.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::spheres_at_panels_test {
 namespace {
 
 using namespace testing_tools;
@@ -386,4 +386,4 @@ TEST(SphereAtAPanel, ComesNoNearerThanItsRadius) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::spheres_at_panels_test

@@ -12,7 +12,7 @@
 #include "talus/barriers/crossing.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::spinning_spheres_test {
 namespace {
 
 using namespace testing_tools;
@@ -96,4 +96,4 @@ TEST(SphereAtABarrier, OnASlopeRollsBackWhenItNoLongerSpins) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::spinning_spheres_test

@@ -9,7 +9,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::block_counter_test {
 namespace {
 
 using testing_tools::Dice;
@@ -128,4 +128,4 @@ TEST(BlockOrder, EndsAtABlockThatWasCutShort) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::block_counter_test

@@ -11,7 +11,7 @@
 #include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
-namespace talus {
+namespace talus::block_worker_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -149,4 +149,4 @@ TEST(BlockWorker, StopsInTheMiddleOfABlock) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::block_worker_test

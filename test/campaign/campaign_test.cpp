@@ -16,7 +16,7 @@
 #include "talus/project/read.hpp"
 #include "talus/results/summary.hpp"
 
-namespace talus {
+namespace talus::campaign_test {
 namespace {
 
 Model tutorial_model(const char* dimensions, std::int64_t rocks, std::vector<std::string> settings = {}) {
@@ -250,4 +250,4 @@ TEST(Campaign, DrawsMaterialsOncePerRockOnRequest) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::campaign_test

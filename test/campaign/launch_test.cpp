@@ -4,7 +4,7 @@
 
 #include "talus/campaign/ranks.hpp"
 
-namespace talus {
+namespace talus::launch_test {
 namespace {
 
 /// Sets the environment variables of launchers, for one test.
@@ -57,4 +57,4 @@ TEST_F(Launched, WithAnInvalidNumberIsAlone) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::launch_test

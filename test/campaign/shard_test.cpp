@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace talus {
+namespace talus::shard_test {
 namespace {
 
 TEST(Shard, AllShardsHaveEveryRockOnce) {
@@ -48,4 +48,4 @@ TEST(Shard, IsReadFromText) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::shard_test

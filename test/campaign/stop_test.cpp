@@ -14,7 +14,7 @@
 #include "talus/project/read.hpp"
 #include "talus/results/summary.hpp"
 
-namespace talus {
+namespace talus::campaign_stop_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -137,4 +137,4 @@ TEST(Stop, DoesNotAffectTheNextUseOfASimulator) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::campaign_stop_test

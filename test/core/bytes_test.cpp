@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace talus {
+namespace talus::bytes_test {
 namespace {
 
 TEST(Bytes, AreReadAsTheyWereWritten) {
@@ -106,4 +106,4 @@ TEST(ByteReader, RefusesImpossibleLengths) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bytes_test

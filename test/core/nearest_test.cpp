@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace talus {
+namespace talus::nearest_test {
 namespace {
 
 constexpr std::array<std::string_view, 4> known{"gravity_m_s2", "max_steps", "max_time_s", "mass_kg"};
@@ -47,4 +47,4 @@ TEST(Nearest, ReturnsNothingIfNoWordIsNear) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::nearest_test

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-namespace talus {
+namespace talus::problems_test {
 namespace {
 
 Problem whole_problem() {
@@ -101,4 +101,4 @@ TEST(BadInputException, HasEveryProblem) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::problems_test

@@ -9,7 +9,7 @@
 
 #include "sampling/goodness_of_fit.hpp"
 
-namespace talus {
+namespace talus::random_test {
 namespace {
 
 using testing_tools::chi_square_probability;
@@ -146,4 +146,4 @@ TEST(RandomPermutation, DependsOnItsKeyAndUsesAllPlacesEqually) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::random_test

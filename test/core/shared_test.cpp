@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace talus {
+namespace talus::shared_test {
 namespace {
 
 TEST(Shared, IsNotCopied) {
@@ -26,4 +26,4 @@ TEST(Shared, OfACopyCanBeReplaced) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::shared_test

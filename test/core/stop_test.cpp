@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-namespace talus {
+namespace talus::core_stop_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -78,4 +78,4 @@ TEST(StopPoints, StopWorkWhoseTimeIsOver) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::core_stop_test

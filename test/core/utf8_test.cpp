@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
+namespace talus::utf8_test {
 namespace {
 
 TEST(Utf8, IsNotChanged) {
@@ -49,4 +49,4 @@ TEST(Utf8, LettersWithoutUmlautsAndAccents) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::utf8_test

@@ -6,7 +6,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::arc_length_test {
 namespace {
 
 using testing_tools::Dice;
@@ -50,4 +50,4 @@ TEST(TimeAtLength, OnACurvedPath) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::arc_length_test

@@ -9,7 +9,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::flight_drag_test {
 namespace {
 
 using testing_tools::Dice;
@@ -147,4 +147,4 @@ TEST(LinearDrag, TimeAndParameterAreInverse) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::flight_drag_test

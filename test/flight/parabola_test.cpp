@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
+namespace talus::parabola_test {
 namespace {
 
 // Section 2.3 of the manual: from (0, 0, 20) at 3 m/s, g = 9.81, at t = 1.100246 s.
@@ -28,4 +28,4 @@ TEST(Parabola, EnergyIsConstant) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::parabola_test

@@ -6,7 +6,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::state_with_drag_test {
 namespace {
 
 using testing_tools::Dice;
@@ -47,4 +47,4 @@ TEST(StateWithDrag, SinksAtItsTerminalVelocity) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::state_with_drag_test

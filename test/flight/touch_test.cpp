@@ -7,7 +7,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::touch_test {
 namespace {
 
 using testing_tools::Dice;
@@ -287,4 +287,4 @@ TEST(TouchPoint, AFastRockTakesOffAtTheTop) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::touch_test

@@ -6,7 +6,7 @@
 
 #include "support/scenes.hpp"
 
-namespace talus {
+namespace talus::material_test {
 namespace {
 
 using namespace testing_tools;
@@ -138,4 +138,4 @@ TEST(GroundDraw, PropertiesOfOneContactAreIndependent) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::material_test

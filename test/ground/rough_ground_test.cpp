@@ -9,7 +9,7 @@
 #include "support/dice.hpp"
 #include "talus/core/tolerances.hpp"
 
-namespace talus {
+namespace talus::ground_rough_ground_test {
 namespace {
 
 using namespace testing_tools;
@@ -205,4 +205,4 @@ TEST(RoughGround, FewProposalsAreRejected) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::ground_rough_ground_test

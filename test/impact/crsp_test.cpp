@@ -6,7 +6,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::crsp_test {
 namespace {
 
 using testing_tools::Dice;
@@ -169,4 +169,4 @@ TEST(Crsp, RandomImpactsObeyTheLaw) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::crsp_test

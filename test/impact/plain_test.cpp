@@ -4,7 +4,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::plain_test {
 namespace {
 
 using testing_tools::Dice;
@@ -47,4 +47,4 @@ TEST(RestitutionScaling, DecreasesWithSpeedAndMass) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::plain_test

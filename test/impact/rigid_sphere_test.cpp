@@ -9,7 +9,7 @@
 #include "talus/impact/crsp.hpp"
 #include "talus/rocks/motion.hpp"
 
-namespace talus {
+namespace talus::rigid_sphere_test {
 namespace {
 
 using testing_tools::Dice;
@@ -216,4 +216,4 @@ TEST(RigidSphere, CrspDampingScalesTheEnergyOfSlip) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::rigid_sphere_test

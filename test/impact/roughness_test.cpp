@@ -7,7 +7,7 @@
 #include "support/dice.hpp"
 #include "support/scenes.hpp"
 
-namespace talus {
+namespace talus::roughness_test {
 namespace {
 
 using namespace testing_tools;
@@ -87,4 +87,4 @@ TEST(Roughness, SpacingAndAmplitude) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::roughness_test

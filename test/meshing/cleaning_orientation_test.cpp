@@ -4,7 +4,7 @@
 
 #include "support/raw_meshes.hpp"
 
-namespace talus {
+namespace talus::cleaning_orientation_test {
 namespace {
 
 using namespace testing_tools;
@@ -160,4 +160,4 @@ TEST(CleaningOrientation, AFinOnASlopeIsNonManifold) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::cleaning_orientation_test

@@ -7,7 +7,7 @@
 
 #include "support/raw_meshes.hpp"
 
-namespace talus {
+namespace talus::cleaning_test {
 namespace {
 
 using namespace testing_tools;
@@ -167,4 +167,4 @@ TEST(Cleaning, RandomTanglesAreRepairedOrRefused) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::cleaning_test

@@ -7,7 +7,7 @@
 #include "support/dice.hpp"
 #include "support/triangulations.hpp"
 
-namespace talus {
+namespace talus::constrained_triangulation_test {
 namespace {
 
 using namespace testing_tools;
@@ -259,4 +259,4 @@ TEST(ConstrainedTriangulation, ALineDownAConeCrossesEachContour) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::constrained_triangulation_test

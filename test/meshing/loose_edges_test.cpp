@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace talus {
+namespace talus::loose_edges_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -90,4 +90,4 @@ TEST(LooseEdges, NarrowPartsOfTheRimAreNotCracks) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::loose_edges_test

@@ -10,7 +10,7 @@
 #include "support/dice.hpp"
 #include "talus/meshing/point_buckets.hpp"
 
-namespace talus {
+namespace talus::plan_polygon_test {
 namespace {
 
 using namespace testing_tools;
@@ -225,4 +225,4 @@ TEST(PlanPolygon, VisitsTheSamePointsWithMoreCrossingsThanPoints) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::plan_polygon_test

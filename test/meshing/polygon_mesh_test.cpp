@@ -10,7 +10,7 @@
 #include "talus/core/problems.hpp"
 #include "talus/meshing/cleaning.hpp"
 
-namespace talus {
+namespace talus::polygon_mesh_test {
 namespace {
 
 using namespace testing_tools;
@@ -159,4 +159,4 @@ TEST(PolygonMesh, ReportsTenProblemsAndCountsTheOthers) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::polygon_mesh_test

@@ -8,7 +8,7 @@
 #include "support/dice.hpp"
 #include "talus/meshing/cleaning.hpp"
 
-namespace talus {
+namespace talus::side_corners_test {
 namespace {
 
 using namespace testing_tools;
@@ -96,4 +96,4 @@ TEST(SideCorners, SidesDividedIndependentlyAreJoined) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::side_corners_test

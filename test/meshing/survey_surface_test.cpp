@@ -14,7 +14,7 @@
 #include "talus/terrain/raster_surface.hpp"
 #include "talus/terrain/triangle_mesh.hpp"
 
-namespace talus {
+namespace talus::survey_surface_test {
 namespace {
 
 using namespace testing_tools;
@@ -426,4 +426,4 @@ TEST(SurveySurface, RefusesASurveyOfWhichNoTriangleRemains) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::survey_surface_test

@@ -20,7 +20,7 @@ struct boost::polygon::point_traits<talus::GridPoint> {
   static int get(const talus::GridPoint& p, orientation_2d axis) { return axis == HORIZONTAL ? p.x : p.y; }
 };
 
-namespace talus {
+namespace talus::triangulation_test {
 namespace {
 
 using namespace testing_tools;
@@ -272,4 +272,4 @@ TEST(Triangulation, ASideThatIsNotDelaunayIsFound) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::triangulation_test

@@ -5,7 +5,7 @@
 
 #include "support/raw_meshes.hpp"
 
-namespace talus {
+namespace talus::weld_test {
 namespace {
 
 using namespace testing_tools;
@@ -72,4 +72,4 @@ TEST(Weld, VerticesMoveNoFurtherThanTheToleranceAndKeptOnesAreFurtherApart) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::weld_test

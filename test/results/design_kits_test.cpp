@@ -8,7 +8,7 @@
 #include "results/crossing_rocks.hpp"
 #include "talus/results/design_result.hpp"
 
-namespace talus {
+namespace talus::design_kits_test {
 namespace {
 
 using test::crossing_rock;
@@ -155,4 +155,4 @@ TEST(DesignLine, MeasuresDirectionsAcrossItself) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::design_kits_test

@@ -13,7 +13,7 @@
 #include "support/dice.hpp"
 #include "talus/results/design_pairs.hpp"
 
-namespace talus {
+namespace talus::design_pairs_test {
 namespace {
 
 using test::Crosses;
@@ -208,4 +208,4 @@ TEST(DesignPairs, HaveNoShareWithoutRocks) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::design_pairs_test

@@ -12,7 +12,7 @@
 #include "support/saved.hpp"
 #include "talus/results/design_result.hpp"
 
-namespace talus {
+namespace talus::design_test {
 namespace {
 
 using test::Crosses;
@@ -375,4 +375,4 @@ TEST(Design, RefusesStatesOfOtherLinesOrKits) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::design_test

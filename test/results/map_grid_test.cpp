@@ -9,7 +9,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::map_grid_test {
 namespace {
 
 using testing_tools::Dice;
@@ -182,4 +182,4 @@ TEST(MapWalk, AgreesWithDenseSampling) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::map_grid_test

@@ -9,7 +9,7 @@
 #include "talus/results/map_observer.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::maps_of_runs_test {
 namespace {
 
 using namespace testing_tools;
@@ -131,4 +131,4 @@ TEST(MapsOfRuns, CountARockThatStaysOnACornerInTheCellThatContainsIt) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::maps_of_runs_test

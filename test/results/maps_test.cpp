@@ -15,7 +15,7 @@
 #include "talus/statistics/quantile.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::maps_test {
 namespace {
 
 using testing_tools::Dice;
@@ -386,4 +386,4 @@ TEST(Maps, TakeMemoryForTheTouchedCells) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::maps_test

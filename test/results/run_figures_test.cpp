@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace talus {
+namespace talus::run_figures_test {
 namespace {
 
 TEST(RunFigure, HasAText) {
@@ -77,4 +77,4 @@ TEST(SamplingVariance, OfAShareIsBinomial) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::run_figures_test

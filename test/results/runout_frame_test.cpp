@@ -7,7 +7,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::runout_frame_test {
 namespace {
 
 using testing_tools::Dice;
@@ -90,4 +90,4 @@ TEST(RunoutFrame, DoesNotChangeWhenEverythingIsMovedAndTurned) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::runout_frame_test

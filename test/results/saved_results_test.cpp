@@ -10,7 +10,7 @@
 #include "talus/results/map_observer.hpp"
 #include "talus/results/summary.hpp"
 
-namespace talus {
+namespace talus::saved_results_test {
 namespace {
 
 using testing_tools::Dice;
@@ -179,4 +179,4 @@ TEST(SavedResults, RefuseMapsOfAnotherGridOrOtherSources) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::saved_results_test

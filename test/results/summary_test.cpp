@@ -11,7 +11,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::summary_test {
 namespace {
 
 using testing_tools::Dice;
@@ -241,4 +241,4 @@ TEST(Tally, HasAHistogramOfEveryValue) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::summary_test

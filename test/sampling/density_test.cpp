@@ -5,7 +5,7 @@
 
 #include "talus/sampling/distribution.hpp"
 
-namespace talus {
+namespace talus::density_test {
 namespace {
 
 double total(const std::vector<Density>& list) {
@@ -57,4 +57,4 @@ TEST(Density, OfEveryKindAddsUpToTheShareShown) {
 TEST(Density, OfAConstantIsEmpty) { EXPECT_TRUE(density_of(Distribution{5}, Bounds{}, 100).empty()); }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::density_test

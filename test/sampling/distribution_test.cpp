@@ -22,7 +22,7 @@
 #include "talus/sampling/draws.hpp"
 #include "talus/sampling/normal_quantile.hpp"
 
-namespace talus {
+namespace talus::distribution_test {
 namespace {
 
 using testing_tools::chi_square_probability;
@@ -424,4 +424,4 @@ TEST(DistributionWhyUnusable, AcceptsAConstantOnItsBound) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::distribution_test

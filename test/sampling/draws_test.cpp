@@ -7,7 +7,7 @@
 
 #include "sampling/goodness_of_fit.hpp"
 
-namespace talus {
+namespace talus::draws_test {
 namespace {
 
 double identity(double u) { return u; }
@@ -87,4 +87,4 @@ TEST(DrawsLatinHypercube, CombinesTheCellsOfDifferentNumbersAtRandom) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::draws_test

@@ -12,7 +12,7 @@
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 
-namespace talus {
+namespace talus::empirical_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -98,4 +98,4 @@ TEST(EmpiricalDistribution, MustHaveASampleWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::empirical_test

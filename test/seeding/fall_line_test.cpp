@@ -8,7 +8,7 @@
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::fall_line_test {
 namespace {
 
 constexpr double rounding = 1e-12;
@@ -51,4 +51,4 @@ TEST(FallLine, IsEastOnLevelGroundAndOffTheTerrain) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::fall_line_test

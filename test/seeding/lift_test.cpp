@@ -11,7 +11,7 @@
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::lift_test {
 namespace {
 
 using testing_tools::Dice;
@@ -126,4 +126,4 @@ TEST(UnderACeiling, NoSphereIsMovedThroughIt) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::lift_test

@@ -8,7 +8,7 @@
 #include "sampling/goodness_of_fit.hpp"
 #include "talus/seeding/seeder.hpp"
 
-namespace talus {
+namespace talus::release_cells_test {
 namespace {
 
 using namespace testing_tools;
@@ -99,4 +99,4 @@ TEST(PlaceOf, PlacesAreStratifiedOverTheSeeder) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::release_cells_test

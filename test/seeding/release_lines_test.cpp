@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace talus {
+namespace talus::release_lines_test {
 namespace {
 
 ReleaseLines along(const std::vector<Vec3>& points) { return ReleaseLines(points); }
@@ -68,4 +68,4 @@ TEST(ReleaseLines, MayHaveManyVertices) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::release_lines_test

@@ -14,7 +14,7 @@
 #include "talus/seeding/hilbert_curve.hpp"
 #include "talus/seeding/seeder.hpp"
 
-namespace talus {
+namespace talus::release_order_test {
 namespace {
 
 using namespace testing_tools;
@@ -204,4 +204,4 @@ TEST(PlaceOf, LinesAreUnbiasedHoweverShort) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::release_order_test

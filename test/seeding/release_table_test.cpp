@@ -11,7 +11,7 @@
 #include "support/dice.hpp"
 #include "talus/seeding/seeder.hpp"
 
-namespace talus {
+namespace talus::release_table_test {
 namespace {
 
 Seeder seeder_of(ReleaseTable table, std::uint64_t rocks) {
@@ -162,4 +162,4 @@ TEST(ReleaseTables, PrecedeTheSpeedOfTheSeeder) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::release_table_test

@@ -12,7 +12,7 @@
 #include "talus/seeding/lift.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::seeder_test {
 namespace {
 
 using namespace testing_tools;
@@ -209,4 +209,4 @@ TEST(Lifted, ASphereFitsOnEverySlope) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::seeder_test

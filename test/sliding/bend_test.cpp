@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-namespace talus {
+namespace talus::bend_test {
 namespace {
 
 const Rock rock = sphere_of_diameter(1.0, 2700);
@@ -62,4 +62,4 @@ TEST(Bend, NeverAddsEnergy) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bend_test

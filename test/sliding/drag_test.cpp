@@ -10,7 +10,7 @@
 #include "talus/sliding/rolling.hpp"
 #include "talus/sliding/stepped.hpp"
 
-namespace talus {
+namespace talus::sliding_drag_test {
 namespace {
 
 const Vec3 gravity(0, 0, -standard_gravity);
@@ -137,4 +137,4 @@ TEST(GroundDrag, NeverReversesTheMotion) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::sliding_drag_test

@@ -10,7 +10,7 @@
 #include "support/dice.hpp"
 #include "talus/sliding/stepped.hpp"
 
-namespace talus {
+namespace talus::glide_test {
 namespace {
 
 using testing_tools::Dice;
@@ -147,4 +147,4 @@ TEST(GlideLanes, GiveTheSameBitsAsEachGlideAlone) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::glide_test

@@ -6,7 +6,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::rolling_test {
 namespace {
 
 using testing_tools::Dice;
@@ -168,4 +168,4 @@ TEST(Rolling, EnergyNeverRises) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::rolling_test

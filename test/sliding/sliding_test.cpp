@@ -9,7 +9,7 @@
 #include "talus/sliding/closed_form.hpp"
 #include "talus/sliding/stepped.hpp"
 
-namespace talus {
+namespace talus::sliding_test {
 namespace {
 
 using testing_tools::Dice;
@@ -229,4 +229,4 @@ TEST(Sliding, EnergyNeverRises) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::sliding_test

@@ -6,7 +6,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::supports_test {
 namespace {
 
 using testing_tools::Dice;
@@ -108,4 +108,4 @@ TEST(CaughtBetween, DoesNotApplyIfOneSideLeadsAway) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::supports_test

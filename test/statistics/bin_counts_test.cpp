@@ -10,7 +10,7 @@
 #include "support/dice.hpp"
 #include "talus/statistics/quantile.hpp"
 
-namespace talus {
+namespace talus::bin_counts_test {
 namespace {
 
 using testing_tools::Dice;
@@ -193,4 +193,4 @@ TEST(BinCounts, TakesLittleMemory) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bin_counts_test

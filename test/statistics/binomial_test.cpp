@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace talus {
+namespace talus::binomial_test {
 namespace {
 
 double probability_between(int n, double p, int low, int high) {
@@ -32,4 +32,4 @@ TEST(CentralCounts, AreAtMostOneCountTooWide) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::binomial_test

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace talus {
+namespace talus::box_plot_test {
 namespace {
 
 // 1 ... 9 and 30, -20: quartiles 2.5 and 7.5 of the eleven, fences at -5 and 15.
@@ -88,4 +88,4 @@ TEST(BoxPlotOfASample, NeverDrawsAWhiskerInsideItsBox) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::box_plot_test

@@ -11,7 +11,7 @@
 #include "talus/statistics/order_statistics.hpp"
 #include "talus/statistics/proper_scores.hpp"
 
-namespace talus {
+namespace talus::by_chance_test {
 namespace {
 
 using testing_tools::Dice;
@@ -84,4 +84,4 @@ TEST(ByChance, RejectsAsOftenAsItSays) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::by_chance_test

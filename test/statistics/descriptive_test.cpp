@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace talus {
+namespace talus::descriptive_test {
 namespace {
 
 // The definitions, term by term, in long double.
@@ -193,4 +193,4 @@ TEST(DescriptiveStudentT, AgreesWithPrintedTables) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::descriptive_test

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-namespace talus {
+namespace talus::exact_sum_test {
 namespace {
 
 ExactSum sum_of(const std::vector<double>& terms) {
@@ -149,4 +149,4 @@ TEST(ExactSum, HasLeadingPartsWithMoreBitsThanADouble) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::exact_sum_test

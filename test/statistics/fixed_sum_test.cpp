@@ -6,7 +6,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::fixed_sum_test {
 namespace {
 
 using testing_tools::Dice;
@@ -57,4 +57,4 @@ TEST(FixedSum, DoesNotDependOnOrderOrSplit) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::fixed_sum_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace talus {
+namespace talus::histogram_test {
 namespace {
 
 std::vector<double> all_edges(const BinEdges& edges) {
@@ -177,4 +177,4 @@ TEST(HistogramBinsFrom, FindsTheEdgesThatNiceBinsGave) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::histogram_test

@@ -6,7 +6,7 @@
 
 #include "statistics/test_functions.hpp"
 
-namespace talus {
+namespace talus::morris_test {
 namespace {
 
 using testing_tools::results_of;
@@ -93,4 +93,4 @@ TEST(MorrisDesign, DependsOnTheSeedAlone) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::morris_test

@@ -8,7 +8,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::order_statistics_test {
 namespace {
 
 using testing_tools::Dice;
@@ -184,4 +184,4 @@ TEST(RankedValues, OfASingleValueHaveNoInterval) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::order_statistics_test

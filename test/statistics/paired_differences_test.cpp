@@ -11,7 +11,7 @@
 #include "talus/statistics/counted_draws.hpp"
 #include "talus/statistics/quantile.hpp"
 
-namespace talus {
+namespace talus::paired_differences_test {
 namespace {
 
 /// The example of ci.prop.ps in the R package statpsych, which implements Bonett and Price (2012): of 48 members 26
@@ -121,4 +121,4 @@ TEST(PairedQuantileDifferences, AreKnownBetterThanTheQuantiles) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::paired_differences_test

@@ -9,7 +9,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::proper_scores_test {
 namespace {
 
 using testing_tools::Dice;
@@ -225,4 +225,4 @@ TEST(KolmogorovSmirnov, IsTheMaximumDifferenceOfTheShares) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::proper_scores_test

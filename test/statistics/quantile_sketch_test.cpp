@@ -9,7 +9,7 @@
 
 #include "talus/statistics/quantile.hpp"
 
-namespace talus {
+namespace talus::quantile_sketch_test {
 namespace {
 
 constexpr std::uint64_t many = 1'000'000;
@@ -201,4 +201,4 @@ TEST(QuantilePlaceInASample, IsDefinition7) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::quantile_sketch_test

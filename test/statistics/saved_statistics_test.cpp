@@ -13,7 +13,7 @@
 #include "talus/statistics/fixed_sum.hpp"
 #include "talus/statistics/quantile_sketch.hpp"
 
-namespace talus {
+namespace talus::saved_statistics_test {
 namespace {
 
 using testing_tools::Dice;
@@ -176,4 +176,4 @@ TEST(SavedStatistics, TheSignOfAZeroIsNotKept) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::saved_statistics_test

@@ -6,7 +6,7 @@
 
 #include "statistics/test_functions.hpp"
 
-namespace talus {
+namespace talus::sobol_test {
 namespace {
 
 using testing_tools::Ishigami;
@@ -131,4 +131,4 @@ TEST(SobolIndices, LeaveOutRowsWithAnUndefinedResult) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::sobol_test

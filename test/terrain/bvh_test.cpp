@@ -8,7 +8,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::bvh_test {
 namespace {
 
 using testing_tools::Dice;
@@ -200,4 +200,4 @@ TEST(Bvh, FromTheEndVisitsTheLastFirstAndMissesNothing) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bvh_test

@@ -10,7 +10,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::cell_diagonal_test {
 namespace {
 
 using testing_tools::Dice;
@@ -127,4 +127,4 @@ TEST(CellDiagonal, BesideAHoleFollowsTheNodesThatAreThere) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::cell_diagonal_test

@@ -7,7 +7,7 @@
 #include "support/meshes.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::clear_way_test {
 namespace {
 
 using namespace testing_tools;
@@ -75,4 +75,4 @@ TEST(ClearWay, HasNoContactsOnARaster) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::clear_way_test

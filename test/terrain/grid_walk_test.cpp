@@ -4,7 +4,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::grid_walk_test {
 namespace {
 
 using testing_tools::Dice;
@@ -58,4 +58,4 @@ TEST(GridWalk, VisitsTheCellsUnderAFlightAndNoneOutsideTheGrid) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::grid_walk_test

@@ -6,7 +6,7 @@
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::ground_below_test {
 namespace {
 
 using namespace testing_tools;
@@ -37,4 +37,4 @@ TEST(GroundBelow, ExistsWhereThereIsAnElevation) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::ground_below_test

@@ -9,7 +9,7 @@
 #include "support/dice.hpp"
 #include "talus/terrain/facet_contact.hpp"
 
-namespace talus {
+namespace talus::leaning_bounds_test {
 namespace {
 
 using testing_tools::Dice;
@@ -129,4 +129,4 @@ TEST(LeaningBounds, SkipTheSlopeUnderAFlight) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::leaning_bounds_test

@@ -8,7 +8,7 @@
 #include "support/dice.hpp"
 #include "support/meshes.hpp"
 
-namespace talus {
+namespace talus::profile_test {
 namespace {
 
 using namespace testing_tools;
@@ -155,4 +155,4 @@ TEST(Profile, SupportsOfADisc) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::profile_test

@@ -12,7 +12,7 @@
 #include "support/meshes.hpp"
 #include "support/scenes.hpp"
 
-namespace talus {
+namespace talus::raster_surface_test {
 namespace {
 
 using namespace testing_tools;
@@ -325,4 +325,4 @@ TEST(RasterSurface, AHoleHasNoGround) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::raster_surface_test

@@ -12,7 +12,7 @@
 
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::raster_valleys_test {
 namespace {
 
 constexpr std::uint32_t nodes_across = 41;
@@ -183,4 +183,4 @@ TEST(RasterValleys, TheMiddlesOfCellsAreNearTheGround) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::raster_valleys_test

@@ -8,7 +8,7 @@
 #include "talus/terrain/raster_surface.hpp"
 #include "talus/terrain/triangle_mesh.hpp"
 
-namespace talus {
+namespace talus::section_along_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -111,4 +111,4 @@ TEST(SectionAlong, IsEvenlySpacedIfItWouldHaveTooManyPoints) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::section_along_test

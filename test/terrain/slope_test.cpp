@@ -7,7 +7,7 @@
 
 #include "support/dice.hpp"
 
-namespace talus {
+namespace talus::slope_test {
 namespace {
 
 using namespace testing_tools;
@@ -56,4 +56,4 @@ TEST(HornSlope, WithoutDataIsNaN) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::slope_test

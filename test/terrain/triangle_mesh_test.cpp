@@ -11,7 +11,7 @@
 #include "support/meshes.hpp"
 #include "talus/flight/touch.hpp"
 
-namespace talus {
+namespace talus::triangle_mesh_test {
 namespace {
 
 using namespace testing_tools;
@@ -378,4 +378,4 @@ TEST(TriangleMesh, DrapedEndsWhereTheGroundEnds) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::triangle_mesh_test

@@ -13,7 +13,7 @@
 #include "support/dice.hpp"
 #include "support/meshes.hpp"
 
-namespace talus {
+namespace talus::watertight_test {
 namespace {
 
 using namespace testing_tools;
@@ -248,4 +248,4 @@ TEST(Watertight, GrazingPointsAreNeverBelowTheGround) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::watertight_test

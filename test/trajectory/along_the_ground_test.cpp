@@ -10,7 +10,7 @@
 #include "talus/sliding/rolling.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::along_the_ground_test {
 namespace {
 
 using namespace testing_tools;
@@ -297,4 +297,4 @@ TEST(Rolls, IntoAWall) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::along_the_ground_test

@@ -14,7 +14,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::bends_test {
 namespace {
 
 using namespace testing_tools;
@@ -115,4 +115,4 @@ TEST(Bends, NeverAddEnergy) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bends_test

@@ -8,7 +8,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::bounces_test {
 namespace {
 
 using namespace testing_tools;
@@ -183,4 +183,4 @@ TEST(Outcome, AgreesWithItsRows) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bounces_test

@@ -8,7 +8,7 @@
 #include "support/dice.hpp"
 #include "support/scenes.hpp"
 
-namespace talus {
+namespace talus::bumps_test {
 namespace {
 
 using namespace testing_tools;
@@ -58,4 +58,4 @@ TEST(Bumps, AreCountedInSpacings) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::bumps_test

@@ -11,7 +11,7 @@
 #include "support/scenes.hpp"
 #include "trajectory/forest_scenes.hpp"
 
-namespace talus {
+namespace talus::drag_on_slopes_test {
 namespace {
 
 using namespace testing_tools;
@@ -174,4 +174,4 @@ TEST(Forest, PathsAreReproducible) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::drag_on_slopes_test

@@ -15,7 +15,7 @@
 #include "talus/terrain/raster_surface.hpp"
 #include "trajectory/forest_scenes.hpp"
 
-namespace talus {
+namespace talus::trajectory_drag_test {
 namespace {
 
 using namespace testing_tools;
@@ -291,4 +291,4 @@ TEST(Forest, BrakesSlidingAndRollingBelowItsHeight) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::trajectory_drag_test

@@ -14,7 +14,7 @@
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::edges_test {
 namespace {
 
 using namespace testing_tools;
@@ -313,4 +313,4 @@ TEST(WithoutACutoff, ARockThatDoesNotBounceStaysOnTheGround) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::edges_test

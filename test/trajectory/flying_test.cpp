@@ -11,7 +11,7 @@
 #include "support/moving_rocks.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::flying_test {
 namespace {
 
 using namespace testing_tools;
@@ -112,4 +112,4 @@ TEST(Flying, EndsAtTheEdgeOfTheModelOrAtTheMaximumTime) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::flying_test

@@ -12,7 +12,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::heights_test {
 namespace {
 
 using namespace testing_tools;
@@ -142,4 +142,4 @@ TEST(Ways, OfAllPiecesAreThoseOfThePath) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::heights_test

@@ -10,7 +10,7 @@
 #include "support/meshes.hpp"
 #include "support/moving_rocks.hpp"
 
-namespace talus {
+namespace talus::in_valley_test {
 namespace {
 
 using namespace testing_tools;
@@ -111,4 +111,4 @@ TEST(InValley, ContinuesOverOneSide) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::in_valley_test

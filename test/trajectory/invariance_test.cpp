@@ -12,7 +12,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::invariance_test {
 namespace {
 
 using namespace testing_tools;
@@ -242,4 +242,4 @@ TEST(Invariance, OfASectionUnderExtrusion) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::invariance_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace talus {
+namespace talus::kept_outlines_test {
 namespace {
 
 /// A surface that counts its queries; the point of an outline contains the facet's number.
@@ -41,4 +41,4 @@ TEST(KeptOutlines, AreValidUntilFourOthersAreRequested) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::kept_outlines_test

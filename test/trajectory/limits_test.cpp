@@ -9,7 +9,7 @@
 #include "support/meshes.hpp"
 #include "support/scenes.hpp"
 
-namespace talus {
+namespace talus::limits_test {
 namespace {
 
 using namespace testing_tools;
@@ -74,4 +74,4 @@ TEST(Limits, EndRocksThatReboundBetweenBarriersForEver) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::limits_test

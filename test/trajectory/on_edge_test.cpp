@@ -10,7 +10,7 @@
 #include "support/moving_rocks.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::on_edge_test {
 namespace {
 
 using namespace testing_tools;
@@ -80,4 +80,4 @@ TEST(OnEdge, AFastSphereIsNotPressedOnIt) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::on_edge_test

@@ -11,7 +11,7 @@
 #include "support/moving_rocks.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::on_facet_test {
 namespace {
 
 using namespace testing_tools;
@@ -134,4 +134,4 @@ TEST(OnFacet, AFacetThatWasLeftOnlyLimitsTheNextLeg) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::on_facet_test

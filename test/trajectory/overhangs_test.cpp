@@ -10,7 +10,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::overhangs_test {
 namespace {
 
 using namespace testing_tools;
@@ -183,4 +183,4 @@ TEST(Overhang, ABarrierCanStandAtTheFootOfAFace) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::overhangs_test

@@ -12,7 +12,7 @@
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::piece_maxima_test {
 namespace {
 
 using namespace testing_tools;
@@ -229,4 +229,4 @@ TEST(PieceMaxima, HeightOfALegAboveARoofIsMeasuredFromTheRoof) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::piece_maxima_test

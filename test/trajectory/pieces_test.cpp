@@ -8,7 +8,7 @@
 #include "support/meshes.hpp"
 #include "support/scenes.hpp"
 
-namespace talus {
+namespace talus::pieces_test {
 namespace {
 
 using namespace testing_tools;
@@ -154,4 +154,4 @@ TEST(PathPieces, AreKeptOnlyOnRequest) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::pieces_test

@@ -9,7 +9,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::pits_test {
 namespace {
 
 using namespace testing_tools;
@@ -69,4 +69,4 @@ TEST(Pit, LosesNoRock) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::pits_test

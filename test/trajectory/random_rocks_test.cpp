@@ -14,7 +14,7 @@
 #include "talus/flight/touch.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::random_rocks_test {
 namespace {
 
 using namespace testing_tools;
@@ -271,4 +271,4 @@ TEST(RandomRocksInSection, PathsObeyTheLaws) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::random_rocks_test

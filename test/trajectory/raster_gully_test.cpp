@@ -11,7 +11,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::raster_gully_test {
 namespace {
 
 using namespace testing_tools;
@@ -126,4 +126,4 @@ TEST(RasterGully, RocksRunAsFarInEightDirections) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::raster_gully_test

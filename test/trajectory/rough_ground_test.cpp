@@ -11,7 +11,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::trajectory_rough_ground_test {
 namespace {
 
 using namespace testing_tools;
@@ -172,4 +172,4 @@ TEST(RocksOnRoughGround, SmoothGroundIsUntouched) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::trajectory_rough_ground_test

@@ -10,7 +10,7 @@
 #include "support/meshes.hpp"
 #include "support/scenes.hpp"
 
-namespace talus {
+namespace talus::slides_over_vertices_test {
 namespace {
 
 using namespace testing_tools;
@@ -62,4 +62,4 @@ TEST(SlideOverAVertex, TurnsTheVelocityByTimeNotByFacets) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::slides_over_vertices_test

@@ -12,7 +12,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::slight_bends_test {
 namespace {
 
 using namespace testing_tools;
@@ -120,4 +120,4 @@ TEST(SlightBends, AreBelowTheGrazingAngle) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::slight_bends_test

@@ -9,7 +9,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::standstill_test {
 namespace {
 
 using namespace testing_tools;
@@ -158,4 +158,4 @@ TEST(Roughness, AlsoTiltsTheGroundUnderAVerticalFall) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::standstill_test

@@ -11,7 +11,7 @@
 #include "support/moving_rocks.hpp"
 #include "talus/terrain/profile.hpp"
 
-namespace talus {
+namespace talus::striking_test {
 namespace {
 
 using namespace testing_tools;
@@ -78,4 +78,4 @@ TEST(Striking, ARidgeCarriesASlowSphere) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::striking_test

@@ -12,7 +12,7 @@
 #include "support/scenes.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
-namespace talus {
+namespace talus::valleys_test {
 namespace {
 
 using namespace testing_tools;
@@ -216,4 +216,4 @@ TEST(Valleys, AStepHoldsASphereOnlyUpToItsEnd) {
 }
 
 }  // namespace
-}  // namespace talus
+}  // namespace talus::valleys_test
