@@ -27,7 +27,7 @@ using ::testing::Pair;
 using testing_tools::InputFolder;
 
 /// A plane of 100 by 100 m at a height of 10 m that falls by 10 m towards +x.
-const std::string slope = R"([terrain]
+const std::string tilted_plane = R"([terrain]
 vertices = [[0, 0, 10], [100, 0, 0], [100, 100, 0], [0, 100, 10]]
 triangles = [[0, 1, 2], [0, 2, 3]]
 [[material]]
@@ -58,7 +58,7 @@ class ReleaseTableFiles : public InputFolder {
     project_ = reading.project;
     return build_model(reading.project, warnings_);
   }
-  [[nodiscard]] std::string refusal(const std::string& table, const std::string& text = slope) {
+  [[nodiscard]] std::string refusal(const std::string& table, const std::string& text = tilted_plane) {
     return refusal_of([&] { static_cast<void>(model(table, text)); });
   }
   /// The rocks in the order of their rows.
@@ -91,7 +91,7 @@ TEST_F(ReleaseTableFiles, ReleaseARockFromEachRow) {
       "run,x_m,y_m,z_m,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,mass_kg,radius_m\n"
       "v1,10,20,15,1,2,3,4,5,6,69,0.18\n"
       "v2,30,40,12.5,-1,0,0.5,0,0,0,79,0.2\n",
-      slope + "name_attribute = \"run\"\n");
+      tilted_plane + "name_attribute = \"run\"\n");
   EXPECT_EQ(warnings(), "");
   EXPECT_EQ(built.rocks(), 2U);
   const std::vector<Motion> rocks = starts(built);
@@ -112,7 +112,7 @@ TEST_F(ReleaseTableFiles, ReleaseARockFromEachRow) {
 
 TEST_F(ReleaseTableFiles, LeaveWhatTheyDoNotGiveToTheSeeder) {
   const Model built = model("X [m];Y [m];Mass (kg);comment\n10,5;20;;dry\n30;40;55,5;\n",
-                            slope + "mass_kg = 10\nhorizontal_velocity_m_s = 2\nheight_above_m = 1\n");
+                            tilted_plane + "mass_kg = 10\nhorizontal_velocity_m_s = 2\nheight_above_m = 1\n");
   EXPECT_EQ(warnings(), "");
   const std::vector<Motion> rocks = starts(built);
   EXPECT_LT((rocks[0].position - Vec3(10.5, 20, 9.95)).norm(), 1e-12);
@@ -127,7 +127,7 @@ TEST_F(ReleaseTableFiles, LeaveWhatTheyDoNotGiveToTheSeeder) {
 
 TEST_F(ReleaseTableFiles, HaveHeightsAboveTheGround) {
   const Model built =
-      model("x_m,y_m,z_m,height_above_m\n50,50,,2\n50,50,9,\n50,50,,\n50,50,1,\n", slope + "mass_kg = 100\n");
+      model("x_m,y_m,z_m,height_above_m\n50,50,,2\n50,50,9,\n50,50,,\n50,50,1,\n", tilted_plane + "mass_kg = 100\n");
   const std::vector<Motion> rocks = starts(built);
   EXPECT_NEAR(rocks[0].position.z(), 7, 1e-12);
   EXPECT_NEAR(rocks[1].position.z(), 9, 1e-12);
@@ -139,7 +139,7 @@ TEST_F(ReleaseTableFiles, HaveHeightsAboveTheGround) {
 
 TEST_F(ReleaseTableFiles, SayWhichRowsAreInTheGround) {
   const auto warning = [&](const std::string& rows) {
-    const Model built = model(rows, slope + "mass_kg = 100\n");
+    const Model built = model(rows, tilted_plane + "mass_kg = 100\n");
     Problems found;
     warn_of_buried_releases(built, found);
     return found.text();
@@ -156,7 +156,7 @@ TEST_F(ReleaseTableFiles, SayWhichRowsAreInTheGround) {
   for (int k = 0; k < 8; ++k) many += "50,50,1\n";
   EXPECT_EQ(warning(many),
             "warning: seeder \"Runs\": 8 of 8 rocks start in the ground, from rows 1, 2, 3, 4, 5 and 3 more" + why);
-  static_cast<void>(model("x_m,y_m,z_m,name\n50,50,9,A\n50,50,3000,B\n", slope + "mass_kg = 100\n"));
+  static_cast<void>(model("x_m,y_m,z_m,name\n50,50,9,A\n50,50,3000,B\n", tilted_plane + "mass_kg = 100\n"));
   EXPECT_EQ(warnings(),
             "warning: seeder \"Runs\": a rock of row \"B\" starts 2995 m above the ground (z is an elevation in "
             "the coordinate system of the terrain). Compare z_m with the terrain; leave it empty to start on "
@@ -166,7 +166,7 @@ TEST_F(ReleaseTableFiles, SayWhichRowsAreInTheGround) {
 TEST_F(ReleaseTableFiles, HaveDirections) {
   const Model built =
       model("x_m,y_m,z_m,speed_m_s,azimuth_deg,plunge_deg\n50,50,20,10,90,30\n50,50,20,10,180,\n50,50,20,4,,\n",
-            slope + "mass_kg = 100\ndirection = [0, 0, -1]\n");
+            tilted_plane + "mass_kg = 100\ndirection = [0, 0, -1]\n");
   const std::vector<Motion> rocks = starts(built);
   const double root = std::sqrt(3.0);
   EXPECT_LT((rocks[0].velocity - Vec3(5 * root, 0, -5)).norm(), 1e-12);
@@ -176,14 +176,14 @@ TEST_F(ReleaseTableFiles, HaveDirections) {
 
 TEST_F(ReleaseTableFiles, ReleaseSeveralRocksFromARow) {
   const std::string three = "x_m,y_m\n10,50\n20,50\n30,50\n";
-  EXPECT_EQ(model(three, slope + "mass_kg = 100\nrocks_per_row = 4\n").rocks(), 12U);
-  const Model shared = model(three, slope + "mass_kg = 100\nrocks = 5\n");
+  EXPECT_EQ(model(three, tilted_plane + "mass_kg = 100\nrocks_per_row = 4\n").rocks(), 12U);
+  const Model shared = model(three, tilted_plane + "mass_kg = 100\nrocks = 5\n");
   ASSERT_EQ(shared.rocks(), 5U);
   std::map<double, int> at;
   for (const Motion& rock : starts(shared)) ++at[std::round(rock.position.x())];
   EXPECT_THAT(at, ElementsAre(Pair(10, AnyOf(1, 2)), Pair(20, AnyOf(1, 2)), Pair(30, AnyOf(1, 2))));
   EXPECT_EQ(warnings(), "");
-  EXPECT_EQ(model(three, slope + "mass_kg = 100\n", {.rocks = 2}).rocks(), 2U);
+  EXPECT_EQ(model(three, tilted_plane + "mass_kg = 100\n", {.rocks = 2}).rocks(), 2U);
   EXPECT_THAT(
       warnings(),
       HasSubstr("seeder \"Runs\": 1 of 3 rows release no rock (the seeder has 2 rocks). Leave out rocks, or give "
@@ -213,7 +213,7 @@ TEST_F(ReleaseTableFiles, MayBeTheEndPointsOfARun) {
       "J,"
       "max_bounce_m\n"
       "0,\"Cliff, north\",10,20,9.5,1,2,3,4,5,at rest,100,0.21,7,8\n",
-      slope + "source_attribute = \"seeder\"\n");
+      tilted_plane + "source_attribute = \"seeder\"\n");
   EXPECT_EQ(warnings(), "");
   EXPECT_LT((starts(built).front().position - Vec3(10, 20, 9.5)).norm(), 1e-12);
   EXPECT_THAT(built.sources, ElementsAre("Cliff, north"));
@@ -221,7 +221,7 @@ TEST_F(ReleaseTableFiles, MayBeTheEndPointsOfARun) {
 
 TEST_F(ReleaseTableFiles, HaveSourcesWhoseRocksFollowEachOther) {
   const Model built = model("x_m,y_m,where\n10,1,north\n20,1,south\n30,1,\n40,1,north\n50,1,south\n",
-                            slope + "mass_kg = 100\nsource_attribute = \"where\"\nrocks_per_row = 2\n");
+                            tilted_plane + "mass_kg = 100\nsource_attribute = \"where\"\nrocks_per_row = 2\n");
   EXPECT_THAT(built.sources, ElementsAre("north", "south", "Runs"));
   const ReleaseTable& table = table_of(built);
   std::vector<std::uint32_t> numbers;
@@ -271,7 +271,7 @@ TEST_F(ReleaseTableFiles, RefuseColumnsThatAreNotClear) {
               HasSubstr("columns density_kg_m3 and diameter_m are given together"));
   EXPECT_THAT(refusal("x_m,y_m,mass_kg,speed_m_s,plunge_deg\n1,1,2,3,4\n"),
               HasSubstr("column plunge_deg is given without azimuth_deg (the direction on plan is missing)"));
-  EXPECT_THAT(refusal("x_m,y_m,mass_kg\n1,1,2\n", slope + "name_attribute = \"nme\"\n"),
+  EXPECT_THAT(refusal("x_m,y_m,mass_kg\n1,1,2\n", tilted_plane + "name_attribute = \"nme\"\n"),
               HasSubstr("has no column \"nme\" (name_attribute names it; it has \"x_m\", \"y_m\", \"mass_kg\")"));
 }
 
@@ -295,19 +295,19 @@ TEST_F(ReleaseTableFiles, RefuseMistypedNames) {
       HasSubstr("table releases.csv: column \"densty_kg_m3\" is not known (it would not be read, and there is no "
                 "column density_kg_m3). Name it density_kg_m3, or otherwise if it is something else"));
   // Other words and numbers mean something else: a warning.
-  static_cast<void>(model("x_m,y_m,mass_kg,diameter_a_m,remrk\n50,50,10,1,2\n", slope));
+  static_cast<void>(model("x_m,y_m,mass_kg,diameter_a_m,remrk\n50,50,10,1,2\n", tilted_plane));
   EXPECT_THAT(warnings(), HasSubstr("columns are not used: diameter_a_m (diameter_m) (the names in brackets"));
 }
 
 TEST_F(ReleaseTableFiles, WarnOfDoubtfulNumbersAndNames) {
-  static_cast<void>(model("x_m,y_m,mass_kg,v_m_s\n50,50,1e8,2500\n50,50,2e8,2500\n", slope));
+  static_cast<void>(model("x_m,y_m,mass_kg,v_m_s\n50,50,1e8,2500\n50,50,2e8,2500\n", tilted_plane));
   EXPECT_THAT(warnings(), HasSubstr("columns are not used: v_m_s (vx_m_s)"));
   EXPECT_THAT(warnings(), HasSubstr("mass_kg is 100000000 (line 2, and 1 other row)"));
 }
 
 TEST_F(ReleaseTableFiles, AreBesideTheProject) {
   EXPECT_THAT(refusal_of([&] {
-                write("slope.toml", slope + "mass_kg = 100\n");
+                write("slope.toml", tilted_plane + "mass_kg = 100\n");
                 static_cast<void>(read_project(path("slope.toml")));
               }),
               HasSubstr("slope.toml:9: seeder \"Runs\": table is \"releases.csv\" (there is no such file)"));
@@ -318,7 +318,7 @@ TEST_F(ReleaseTableFiles, AreBesideTheProject) {
 
 TEST_F(ReleaseTableFiles, AreKnownByTheFingerprintAndTheEcho) {
   const auto print_of = [&](const std::string& table) {
-    const Model built = model(table, slope);
+    const Model built = model(table, tilted_plane);
     return fingerprint_of(echo(project_), built);
   };
   const std::string one = "x_m,y_m,z_m,mass_kg,vx_m_s\n1,1,20,5,0\n2,2,20,5,0\n";
@@ -336,7 +336,7 @@ TEST_F(ReleaseTableFiles, MayHaveManyRows) {
   std::string text = "x_m,y_m,z_m,mass_kg,vx_m_s,vy_m_s,vz_m_s\n";
   constexpr int rows = 200'000;
   for (int k = 0; k < rows; ++k) text += "10.5,20.25,15.125,69.5,0.1,0.2,-0.3\n";
-  const Model built = model(text, slope);
+  const Model built = model(text, tilted_plane);
   EXPECT_EQ(built.rocks(), static_cast<std::uint64_t>(rows));
   EXPECT_LT(table_of(built).bytes(), 70U * rows);
 }
