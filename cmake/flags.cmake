@@ -46,3 +46,19 @@ function(talus_unity target)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
   endif()
 endfunction()
+
+# Code that takes no noticeable part of a run's time is compiled with less optimisation, in two thirds of the time, and
+# with a precompiled header of all that its files include from others. The first target makes the header, the others
+# use it.
+function(talus_cold target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  get_property(first GLOBAL PROPERTY TALUS_COLD)
+  if(first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else()
+    set_property(GLOBAL PROPERTY TALUS_COLD ${target})
+    target_precompile_headers(${target} PRIVATE <Eigen/Dense> <algorithm> <filesystem> <functional> <map> <optional> <ranges>
+      <span> <string> <variant> <vector> <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp> [["talus/project/toml.hpp"]]
+      <tbb/enumerable_thread_specific.h> <tbb/parallel_for.h>)
+  endif()
+endfunction()

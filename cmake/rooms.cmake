@@ -19,8 +19,9 @@ function(talus_room name)
     endif()
     target_link_libraries(${target} PUBLIC talus_${lower})
   endforeach()
-  # Flags are the same in all rooms, and so is the precompiled header.
-  if(name STREQUAL "core")
+  if(name IN_LIST TALUS_COLD_ROOMS)
+    talus_cold(${target})
+  elseif(name STREQUAL "core")  # flags are the same in all other rooms, and so is the precompiled header
     target_precompile_headers(${target} PRIVATE <Eigen/Dense> <vector> <string> <variant> <optional> <fmt/format.h>)
   else()
     target_precompile_headers(${target} REUSE_FROM talus_core)
