@@ -10,17 +10,13 @@ namespace talus::project {
 
 namespace {
 
-bool is_distribution(const Slot& slot) {
-  return std::holds_alternative<Distribution*>(slot) || std::holds_alternative<std::optional<Distribution>*>(slot);
-}
-
 /// The declaration of a random property; null if the key is not one.
 const Setting* random_property(std::string_view key) {
   static Material material;  // slots are places in a row
   static Seeder seeder;
   for (const auto& [name, row] : {std::pair<const char*, Row>("material", &material), {"seeder", &seeder}}) {
     const Setting* const setting = table(name).find(key);
-    if (setting != nullptr && is_distribution(setting->slot(row))) return setting;
+    if (setting != nullptr && is_random_property(setting->slot(row))) return setting;
   }
   return nullptr;
 }

@@ -116,11 +116,7 @@ void for_empirical(Project& project, Visit&& visit) {
     const std::vector<Row> rows = declared.rows(project);
     for (std::size_t number = 0; number < rows.size(); ++number) {
       for (const Setting& setting : declared.settings) {
-        const Slot slot = setting.slot(rows[number]);
-        Distribution* distribution = nullptr;
-        if (auto* const* plain = std::get_if<Distribution*>(&slot)) distribution = *plain;
-        if (auto* const* given = std::get_if<std::optional<Distribution>*>(&slot); given && **given)
-          distribution = &***given;
+        Distribution* const distribution = distribution_in(setting.slot(rows[number]));
         if (distribution && distribution->kind == DistributionKind::empirical)
           visit(declared, number, setting, *distribution);
       }

@@ -25,10 +25,8 @@ namespace {
 /// Whether a property of the row is a distribution.
 bool is_random(const Table& declared, const Row& row) {
   return std::any_of(declared.settings.begin(), declared.settings.end(), [&](const Setting& setting) {
-    const Slot slot = setting.slot(row);
-    if (const auto* const plain = std::get_if<Distribution*>(&slot)) return (*plain)->kind != DistributionKind::none;
-    const auto* const given = std::get_if<std::optional<Distribution>*>(&slot);
-    return given && **given && (**given)->kind != DistributionKind::none;
+    const Distribution* const property = distribution_in(setting.slot(row));
+    return property != nullptr && property->kind != DistributionKind::none;
   });
 }
 

@@ -41,16 +41,10 @@ struct Place {
 };
 
 Place place_of(const Slot& slot) {
-  return std::visit(
-      []<class Member>(Member member) -> Place {
-        if constexpr (std::is_same_v<Member, double*>) return {member, nullptr, true};
-        if constexpr (std::is_same_v<Member, std::optional<double>*>) return {*member ? &**member : nullptr, {}, true};
-        if constexpr (std::is_same_v<Member, Distribution*>) return {nullptr, member, true};
-        if constexpr (std::is_same_v<Member, std::optional<Distribution>*>)
-          return {nullptr, *member ? &**member : nullptr, true};
-        return {};
-      },
-      slot);
+  if (auto* const* const number = std::get_if<double*>(&slot)) return {*number, nullptr, true};
+  if (auto* const* const number = std::get_if<std::optional<double>*>(&slot))
+    return {**number ? &***number : nullptr, nullptr, true};
+  return {nullptr, distribution_in(slot), is_random_property(slot)};
 }
 
 /// Of a row of a table whose rows have names; else empty.

@@ -60,6 +60,16 @@ std::string meaning_of(const Setting& setting) {
   return fmt::format("{}: {}", is_sphere ? "Rigid sphere" : "Lumped mass", setting.meaning);
 }
 
+bool is_random_property(const Slot& slot) {
+  return std::holds_alternative<Distribution*>(slot) || std::holds_alternative<std::optional<Distribution>*>(slot);
+}
+
+Distribution* distribution_in(const Slot& slot) {
+  if (auto* const* const plain = std::get_if<Distribution*>(&slot)) return *plain;
+  auto* const* const given = std::get_if<std::optional<Distribution>*>(&slot);
+  return given && **given ? &***given : nullptr;
+}
+
 const Setting* Table::find(std::string_view setting) const {
   const auto found = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.key == setting; });
   return found == settings.end() ? nullptr : &*found;

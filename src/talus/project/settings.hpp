@@ -102,6 +102,11 @@ struct SlotWith<const std::tuple<Listed...>> {
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.
 using Slot = SlotWith<decltype(enumerations)>::Type;
 
+/// Whether a member is a random property.
+[[nodiscard]] bool is_random_property(const Slot& slot);
+/// The random property in a member; null if it is another kind of member or is not given.
+[[nodiscard]] Distribution* distribution_in(const Slot& slot);
+
 /// One row of a table: the struct that its settings are members of.
 class Row {
  public:

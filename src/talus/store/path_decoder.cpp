@@ -108,8 +108,7 @@ class Decoder {
       const Vec3 way = vector_of(get_steps(in_, planar_), StoreStep::place);
       now_.time += duration;
       now_.position += way;
-      now_.velocity =
-          expected_velocity(start, way, duration) + vector_of(get_steps(in_, planar_), StoreStep::velocity);
+      now_.velocity = expected_velocity(start, way, duration) + vector_of(get_steps(in_, planar_), StoreStep::velocity);
       if ((tag & part_has_end_spin) != 0)
         now_.spin = expected_spin(start, now_.velocity) + vector_of(get_spin_steps(in_, planar_), spin_step_);
     }
@@ -162,7 +161,8 @@ void decode_path(std::string_view bytes, const Vec3& gravity, StoredTrajectory& 
   if (has(rock_has_ground)) outcome.ground = MaterialId{index()};
   record.body.mass = get_number<double>(in);
   record.body.radius = get_number<double>(in);
-  record.body.inertia = has(rock_is_no_sphere) ? get_number<double>(in) : inertia_of_sphere(record.body.mass, record.body.radius);
+  record.body.inertia =
+      has(rock_is_no_sphere) ? get_number<double>(in) : inertia_of_sphere(record.body.mass, record.body.radius);
   expect_bytes(record.body.mass > 0 && record.body.radius >= 0 && record.body.inertia >= 0, "a rock has no valid size");
   outcome.max_kinetic_energy = get_number<double>(in);
   outcome.max_bounce = get_number<double>(in);
