@@ -162,10 +162,7 @@ Command add_calibrate(CLI::App& app) {
   const auto options = std::make_shared<CalibrateOptions>();
   CLI::App* command = app.add_subcommand(
       "calibrate", "Find the parameters that agree with observed rocks, and how well they are known");
-  command->add_option("study", options->study, "The study file (TOML)")
-      ->required()
-      ->check(names_file)
-      ->type_name("STUDY.toml");
+  add_study(*command, options->study);
   add_output_folder(
       *command, options->folder,
       "Folder for the results (default: named after the study, next to its file). Sets of parameters that "

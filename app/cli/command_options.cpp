@@ -14,6 +14,14 @@ void add_project(CLI::App& command, ProjectOptions& options) {
       ->type_name("S");
 }
 
+void add_study(CLI::App& command, std::filesystem::path& study) {
+  command.add_option("study", study, "The study file (TOML)")->required()->check(names_file)->type_name("STUDY.toml");
+}
+
+void add_run_folder(CLI::App& command, std::filesystem::path& folder, const std::string& description) {
+  command.add_option("folder", folder, description)->required()->check(names_folder)->type_name("DIR");
+}
+
 void add_overrides(CLI::App& command, const std::string& option, std::vector<std::string>& settings,
                    const std::string& description, const std::string& type_name) {
   command.add_option(option, settings, description)

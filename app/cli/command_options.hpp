@@ -20,6 +20,12 @@ inline const CLI::Validator names_file = not_empty("\"\" is not a file name"),
 /// A project file and what overrides its settings.
 void add_project(CLI::App& command, ProjectOptions& options);
 
+/// A study file.
+void add_study(CLI::App& command, std::filesystem::path& study);
+
+/// The folder of a finished run.
+void add_run_folder(CLI::App& command, std::filesystem::path& folder, const std::string& description);
+
 /// KEY=VALUE, as often as given; `option`: "--set".
 void add_overrides(CLI::App& command, const std::string& option, std::vector<std::string>& settings,
                    const std::string& description, const std::string& type_name = "KEY=VALUE");

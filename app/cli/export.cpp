@@ -79,10 +79,7 @@ Command add_export(CLI::App& app) {
   const auto options = std::make_shared<ExportOptions>();
   CLI::App* command =
       app.add_subcommand("export", "Make the table paths.csv from the trajectories that a run has stored");
-  command->add_option("folder", options->folder, "Folder of the run")
-      ->required()
-      ->check(names_folder)
-      ->type_name("DIR");
+  add_run_folder(*command, options->folder, "Folder of the run");
   command->add_option("--paths", options->paths, "The rocks: all in the store, or a number of them, evenly spread")
       ->default_val("all")
       ->type_name("all|N");

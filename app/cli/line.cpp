@@ -333,10 +333,7 @@ Command add_line(CLI::App& app) {
   const auto options = std::make_shared<LineOptions>();
   CLI::App* command =
       app.add_subcommand("line", "Ask a finished run what crosses a line, or enters a polygon, on plan");
-  command->add_option("folder", options->folder, "Folder of the run, with its trajectories.bin")
-      ->required()
-      ->check(names_folder)
-      ->type_name("DIR");
+  add_run_folder(*command, options->folder, "Folder of the run, with its trajectories.bin");
   add_question(*command, options->line, options->barrier, options->polygon)
       .add_option("--ditch", options->ditch,
                   "2D: the toe and the far edge of a ditch or bench: where do rocks strike it, which get beyond it?")

@@ -95,10 +95,7 @@ int sensitivity(const SensitivityOptions& options) {
 Command add_sensitivity(CLI::App& app) {
   const auto options = std::make_shared<SensitivityOptions>();
   CLI::App* command = app.add_subcommand("sensitivity", "Find which inputs of a project its results depend on");
-  command->add_option("study", options->study, "The study file (TOML)")
-      ->required()
-      ->check(names_file)
-      ->type_name("STUDY.toml");
+  add_study(*command, options->study);
   add_output_folder(*command, options->folder,
                     "Folder for the results (default: named after the study, next to its file)");
   add_threads(*command, options->threads);
