@@ -39,3 +39,30 @@ test('the terrain is reloaded when its file changes on disk or is dropped again'
   await page.getByRole('tab', { name: 'Text' }).click();
   expect(await page.getByLabel('Project file').inputValue()).toContain(crs);
 });
+
+test('a file that changes while the model is built is noticed', async ({ workbench: page, server }) => {
+  server.copyExample('maungawhau');
+  const grid = server.read('maungawhau/maungawhau.asc');
+  await page.reload();
+  await page.getByRole('button', { name: /maungawhau\/maungawhau\.toml/ }).first().click();
+  const legend = page.getByRole('figure', { name: 'Elevation, m' });
+  await expect(legend).toContainText('94');
+
+  // The answer about the file as it was is held back until the file has changed and the page has the focus again.
+  let giveAnswer = () => {};
+  const changed = new Promise<void>((resolve) => (giveAnswer = resolve));
+  const answered = new Promise<void>((resolve) => {
+    void page.route('**/api/model', async (route) => {
+      const response = await route.fetch();
+      resolve();
+      await changed;
+      await route.fulfill({ response });
+    }, { times: 1 });
+  });
+  await page.getByRole('button', { name: 'Compute', exact: true }).click();
+  await answered;
+  writeFileSync(join(server.folder, 'maungawhau/maungawhau.asc'), raised(grid, 100));
+  await page.evaluate(() => dispatchEvent(new Event('focus')));
+  giveAnswer();
+  await expect(legend).toContainText('194');
+});
