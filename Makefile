@@ -38,8 +38,7 @@ build: setup
 
 # The program alone, without the Python package.
 program: setup
-	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON >/dev/null && \
-	  bench/build.py program cmake --build --preset release --target talus_cli
+	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release --target talus_cli
 
 run: program
 	@build/talus run examples/tutorial-1/tutorial-1-2d.toml -o out/tutorial-1-2d
@@ -69,10 +68,10 @@ bench: setup
 	@bench/run-all build-bench
 
 asan: setup-test
-	@cmake --preset asan-ubsan -DTALUS_UNITY=ON >/dev/null && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
+	@cmake --preset asan-ubsan -DTALUS_UNITY=ON -DTALUS_TEST_FOLDERS="$(TEST_FOLDERS)" >/dev/null && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
 
 tsan: setup-test
-	@cmake --preset tsan -DTALUS_UNITY=ON >/dev/null && cmake --build --preset tsan && ctest --preset tsan
+	@cmake --preset tsan -DTALUS_UNITY=ON -DTALUS_TEST_FOLDERS="$(TEST_FOLDERS)" >/dev/null && cmake --build --preset tsan && ctest --preset tsan
 
 # The QGIS plugin, in a QGIS without a window.
 test-qgis: program
