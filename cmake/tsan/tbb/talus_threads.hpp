@@ -106,6 +106,7 @@ class blocked_range {
   blocked_range(Value begin, Value end, std::size_t grain = 1) : begin_(begin), end_(end), grain_(grain) {}
   [[nodiscard]] Value begin() const { return begin_; }
   [[nodiscard]] Value end() const { return end_; }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
   [[nodiscard]] std::size_t grainsize() const { return grain_; }
 
  private:
@@ -115,7 +116,7 @@ class blocked_range {
 
 template <class Value, class Body>
 void parallel_for(const blocked_range<Value>& range, const Body& body) {
-  const auto size = static_cast<std::size_t>(range.end() - range.begin());
+  const std::size_t size = range.size();
   threads::each((size + range.grainsize() - 1) / range.grainsize(), [&](std::size_t k) {
     const auto begin = range.begin() + static_cast<Value>(k * range.grainsize());
     body(blocked_range<Value>(begin,
