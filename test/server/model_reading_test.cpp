@@ -204,6 +204,9 @@ class Hanging : public ServedRuns {
 };
 
 TEST_F(Hanging, ModelBlocksNeitherOthersNorTheServersEnd) {
+#ifdef __SANITIZE_THREAD__
+  GTEST_SKIP() << "the abandoned thread outlives this process' static objects; the program ends without destroying them";
+#endif
   std::thread hanging([&] {
     httplib::Client client("127.0.0.1", port_);
     client.set_read_timeout(60, 0);
