@@ -19,7 +19,7 @@ inline void bare_rock(const RasterGrid& grid, Vec3 p, Vec3 v, const Rock& rock, 
     return static_cast<double>(grid.z[static_cast<std::size_t>(j) * grid.columns + static_cast<std::size_t>(i)]);
   };
   const int last = static_cast<int>(grid.columns) - 2;
-  Vec3 w = Vec3::Zero();
+  Vec3 w;
   int i = static_cast<int>(p.x()), j = static_cast<int>(p.y());
   for (int impact = 0; impact < 1000; ++impact) {
     // The cells of this flight.
@@ -68,7 +68,7 @@ inline void bare_rock(const RasterGrid& grid, Vec3 p, Vec3 v, const Rock& rock, 
       }
       t0 = t1;
     }
-    if (v.squaredNorm() < 0.01) break;
+    if (v.squared_norm() < 0.01) break;
   }
   count.sum += p.x();
 }

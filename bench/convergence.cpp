@@ -59,13 +59,13 @@ class Arrivals : public Observer {
     void see(const RockRecord& record, const RockLog& log) override {
       const RockOutcome& outcome = record.outcome;
       Arrival rock;
-      rock.runout = (outcome.end.position - outcome.start.position).head<2>().norm();
+      rock.runout = (outcome.end.position - outcome.start.position).xy().norm();
       if (!log.hits.empty()) {
         const BarrierHit& hit = log.hits.front();
         const Rock& body = record.body;
         rock.reaches = true;
         rock.energy =
-            0.5 * body.mass * hit.motion.velocity.squaredNorm() + 0.5 * body.inertia * hit.motion.spin.squaredNorm();
+            0.5 * body.mass * hit.motion.velocity.squared_norm() + 0.5 * body.inertia * hit.motion.spin.squared_norm();
         rock.height = hit.height;
       }
       rocks.push_back(rock);

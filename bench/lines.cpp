@@ -20,13 +20,13 @@ namespace {
 
 /// Where rocks start and end on average, on plan, in the project's coordinates.
 std::array<Vec2, 2> means_of(const Model& model, const RockPaths& paths) {
-  std::array<Vec2, 2> sums{Vec2::Zero(), Vec2::Zero()};
+  std::array<Vec2, 2> sums{Vec2{}, Vec2{}};
   RockPath path;
   for (std::size_t place = 0; place < paths.rocks().size(); ++place) {
     paths.read(place, path);
     if (path.pieces.empty()) continue;
-    sums[0] += model.frame.global_from_local(path.pieces.front().path.p).head<2>();
-    sums[1] += model.frame.global_from_local(path.record.outcome.end.position).head<2>();
+    sums[0] += model.frame.global_from_local(path.pieces.front().path.p).xy();
+    sums[1] += model.frame.global_from_local(path.record.outcome.end.position).xy();
   }
   for (Vec2& sum : sums) sum /= static_cast<double>(paths.rocks().size());
   return sums;

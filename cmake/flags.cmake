@@ -21,8 +21,8 @@ target_compile_options(talus_own_flags INTERFACE
 target_compile_options(talus_flags INTERFACE -ffp-contract=off
   # Clang before 19 knows no operator delete with a size otherwise.
   $<$<CXX_COMPILER_ID:Clang>:-fsized-deallocation>)
-# Sums have the same order on every processor, and a vector's coordinates do not wait for each other. It changes the
-# layout of vectors, so all code must be compiled with it, or none.
+# Eigen's sums have the same order on every processor. It changes the layout of its vectors, so all code must be compiled
+# with it, or none.
 target_compile_definitions(talus_flags INTERFACE EIGEN_DONT_VECTORIZE)
 if(TALUS_WERROR)
   target_compile_options(talus_own_flags INTERFACE -Werror)
@@ -57,7 +57,7 @@ function(talus_cold target)
     target_precompile_headers(${target} REUSE_FROM ${first})
   else()
     set_property(GLOBAL PROPERTY TALUS_COLD ${target})
-    target_precompile_headers(${target} PRIVATE <Eigen/Dense> <algorithm> <filesystem> <functional> <map> <optional> <ranges>
+    target_precompile_headers(${target} PRIVATE <algorithm> <filesystem> <functional> <map> <optional> <ranges>
       <span> <string> <variant> <vector> <fmt/format.h> <fmt/ranges.h> <nlohmann/json.hpp> [["talus/project/toml.hpp"]]
       <tbb/enumerable_thread_specific.h> <tbb/parallel_for.h>)
   endif()

@@ -22,7 +22,7 @@ function(talus_room name)
   if(name IN_LIST TALUS_COLD_ROOMS)
     talus_cold(${target})
   elseif(name STREQUAL "core")  # flags are the same in all other rooms, and so is the precompiled header
-    target_precompile_headers(${target} PRIVATE <Eigen/Dense> <vector> <string> <variant> <optional> <fmt/format.h>)
+    target_precompile_headers(${target} PRIVATE <vector> <string> <variant> <optional> <fmt/format.h>)
   else()
     target_precompile_headers(${target} REUSE_FROM talus_core)
   endif()

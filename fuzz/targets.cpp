@@ -317,7 +317,7 @@ Verdict read_store_of(std::string_view input, const fs::path& folder) {
     if (store.rocks().empty()) return;
     const StoredTrajectory last = store.read(store.rocks().size() - 1);
     for (const PathRow& row : last.rows) {
-      const double energy = last.record.body.mass * row.motion.velocity.squaredNorm();
+      const double energy = last.record.body.mass * row.motion.velocity.squared_norm();
       if (!std::isfinite(energy)) throw std::logic_error("the energies of a trajectory are finite");
     }
   });

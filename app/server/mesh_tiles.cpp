@@ -133,7 +133,7 @@ void MeshTiles::share_out(Level& level, std::size_t triangles) const {
     };
     for (std::uint32_t k = 0; k < triangles; ++k) {
       const auto [a, b, c] = corners_of(level, k);
-      const Vec3 low = a.cwiseMin(b).cwiseMin(c) - low_, high = a.cwiseMax(b).cwiseMax(c) - low_;
+      const Vec3 low = a.min(b).min(c) - low_, high = a.max(b).max(c) - low_;
       const std::uint32_t last_column = within(high.x() + close, level.columns);
       const std::uint32_t last_row = within(high.y() + close, level.rows);
       for (std::uint32_t row = within(low.y() - close, level.rows); row <= last_row; ++row)
@@ -172,11 +172,10 @@ Answer MeshTiles::tile(std::size_t number, std::uint32_t column, std::uint32_t r
   const bool is_whole = number == 0;
   for (const std::uint32_t member : members) {
     for (const Vec3& corner : corners_of(level, member)) {
-      const Eigen::Vector3f single = corner.cast<float>();
-      const auto [vertex, is_new] =
-          vertices.of({std::bit_cast<std::int32_t>(single.x()), std::bit_cast<std::int32_t>(single.y()),
-                       std::bit_cast<std::int32_t>(single.z())});
-      if (is_new) positions.insert(positions.end(), {single.x(), single.y(), single.z()});
+      const std::array single{static_cast<float>(corner.x()), static_cast<float>(corner.y()),
+                              static_cast<float>(corner.z())};
+      const auto [vertex, is_new] = vertices.of(std::bit_cast<std::array<std::int32_t, 3>>(single));
+      if (is_new) positions.insert(positions.end(), single.begin(), single.end());
       triangles.push_back(vertex);
     }
     materials.push_back(is_whole ? model_.ground.material_of(mesh_.source({member})).index : level.materials[member]);

@@ -77,7 +77,7 @@ class Describer {
 
   /// Outlines on the ground: a line per side, without the sides beyond the terrain.
   [[nodiscard]] Json areas() const {
-    const Vec2 origin = model_.frame.origin.head(2);
+    const Vec2 origin = model_.frame.origin.xy();
     Json list = Json::array();
     for (std::size_t k = 0; k < project_.areas.size(); ++k) {
       const project::Area& area = project_.areas[k];
@@ -107,8 +107,8 @@ class Describer {
       const auto add = [&](const Vec3& at, const Panel& panel) {
         const bool is_flat = model_.laws.in_section;
         const Vec3 of_plane = is_flat ? Vec3(1, 0, 1) : Vec3(1, 1, 1);
-        Json low = place(at.cwiseProduct(of_plane));
-        Json high = place((at + panel.height * panel.up).cwiseProduct(of_plane));
+        Json low = place(at.times(of_plane));
+        Json high = place((at + panel.height * panel.up).times(of_plane));
         if (!foot.empty() && (is_flat || (foot.back() == low && top.back() == high))) return;
         foot.push_back(std::move(low));
         top.push_back(std::move(high));
@@ -140,7 +140,7 @@ class Describer {
     }
     const Vec3 above(0, 0, *seeder.above_surface);
     for (std::size_t k = 0; k + 1 < points.size(); ++k)
-      for (const Vec3& p : on_ground(points[k].head<2>(), points[k + 1].head<2>())) list.push_back(place(p + above));
+      for (const Vec3& p : on_ground(points[k].xy(), points[k + 1].xy())) list.push_back(place(p + above));
     return list;
   }
 

@@ -52,11 +52,11 @@ py::tuple first_contact(const Model& built, const Numbers& position, const Numbe
         [&](const auto& surface) {
           for (py::ssize_t k = 0; k < count; ++k) {
             const Parabola path{built.frame.local_from_global(p[k]), v[k], {0, 0, -gravity}};
-            const bool is_flight = path.p.allFinite() && path.v.allFinite() && std::isfinite(r[k]);
+            const bool is_flight = path.p.is_finite() && path.v.is_finite() && std::isfinite(r[k]);
             const auto contact = is_flight ? surface.first_contact(path, r[k], t_max) : std::nullopt;
             times.set(k, contact ? contact->t : none);
-            places.set(k, contact ? built.frame.global_from_local(path.at(contact->t)) : Vec3::Constant(none));
-            normals.set(k, contact ? contact->normal : Vec3::Constant(none));
+            places.set(k, contact ? built.frame.global_from_local(path.at(contact->t)) : Vec3::all(none));
+            normals.set(k, contact ? contact->normal : Vec3::all(none));
             facets.set(k, contact ? built.parts.of(surface.source(contact->facet)) : -1.0);
           }
         },

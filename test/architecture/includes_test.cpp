@@ -67,6 +67,8 @@ std::optional<std::string> objection(const std::string& folder, const Include& i
   if (is_of_a_format && !rooms_of_formats.contains(folder))
     return "only gdal, import, layers, maps and export know GDAL";
   if (folder != "campaign" && name == "mpi.h") return "only campaign knows MPI";
+  if (folder != "calibration" && folder != "meshing" && name.starts_with("Eigen/"))
+    return "vectors are core/vec.hpp's; only calibration and meshing know Eigen";
   if (name.starts_with("oneapi/")) return "include <tbb/...>: the thread sanitizer's stands there (cmake/tsan)";
   if (name.ends_with(".hpp") && include.is_quoted && !name.starts_with("talus/"))
     return "a header of Talus is included as talus/ROOM/NAME.hpp";
@@ -104,6 +106,7 @@ TEST(Architecture, AWrongIncludeWouldBeFound) {
   EXPECT_FALSE(objection("gdal", {"gdal_priv.h"}));
   EXPECT_TRUE(objection("project", {"mpi.h"}));
   EXPECT_FALSE(objection("campaign", {"mpi.h"}));
+  EXPECT_TRUE(objection("flight", {"Eigen/Dense"}));
   EXPECT_TRUE(objection("lines", {"oneapi/tbb/parallel_for.h"}));
   EXPECT_FALSE(objection("lines", {"tbb/parallel_for.h"}));
   EXPECT_TRUE(objection("flight", {.name = "../campaign/campaign.hpp", .is_quoted = true}));

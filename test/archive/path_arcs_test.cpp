@@ -26,7 +26,7 @@ PathEventRow row(PathState state, double time, const Vec3& p, const Vec3& v, dou
           .time_s = time,
           .position_m = numbers(p),
           .velocity_m_s = numbers(v),
-          .ke_translational_J = 0.5 * mass * v.squaredNorm(),
+          .ke_translational_J = 0.5 * mass * v.squared_norm(),
           .ke_rotational_J = rotational};
 }
 
@@ -51,7 +51,7 @@ TEST(PathArcs, OfAFreeFlightAreAParabola) {
       const double t = point.time_s - begin;
       EXPECT_LT((vector(point.position_m) - (p + t * (v + t / 2 * g))).norm(), 1e-7);
       EXPECT_LT((vector(point.velocity_m_s) - (v + t * g)).norm(), 1e-5);
-      const double energy = 0.5 * mass * (v + t * g).squaredNorm() + rotational;
+      const double energy = 0.5 * mass * (v + t * g).squared_norm() + rotational;
       EXPECT_NEAR(point.ke_total_J, energy, 1e-6 * energy);
       EXPECT_EQ(point.state, &point == &points.back() ? impact : projectile);
     }
@@ -69,10 +69,9 @@ TEST(PathArcs, OfAFreeFlightAreAParabola) {
 TEST(PathArcs, OfAFlightThroughTreesAreCloseToIt) {
   constexpr double k = 0.2, duration = 2;
   const Vec3 g(0, 0, -gravity), v(8, 3, 4), fall = g / k;
-  const auto velocity = [&](double t) { return Vec3(v * std::exp(-k * t) + fall * (1 - std::exp(-k * t))); };
-  const auto place = [&](double t) { return Vec3((v - fall) * (1 - std::exp(-k * t)) / k + t * fall); };
-  const Path path{
-      .rows = {row(projectile, 0, Vec3::Zero(), v), row(impact, duration, place(duration), velocity(duration))}};
+  const auto velocity = [&](double t) { return v * std::exp(-k * t) + fall * (1 - std::exp(-k * t)); };
+  const auto place = [&](double t) { return (v - fall) * (1 - std::exp(-k * t)) / k + t * fall; };
+  const Path path{.rows = {row(projectile, 0, Vec3{}, v), row(impact, duration, place(duration), velocity(duration))}};
   const auto points = points_of(path, 0.05);
   EXPECT_GT(points.size(), 5U);
   // Hermite's remainder: T^4/384 of the fourth derivative, here k^2 (g - k v) e^(-kt).
@@ -92,17 +91,17 @@ TEST(PathArcs, OfAFlightPartlyThroughTreesAreWithinTheStatedError) {
     const Vec3 v_there = v + forest * g, p_there = forest * (v + forest / 2 * g);
     const auto velocity = [&](double t) {
       const double braked = std::exp(-k * (t - forest));
-      return t < forest ? Vec3(v + t * g) : Vec3(v_there * braked + fall * (1 - braked));
+      return t < forest ? v + t * g : v_there * braked + fall * (1 - braked);
     };
     const auto place = [&](double t) {
       const double braked = std::exp(-k * (t - forest));
       return t < forest ? Vec3(t * (v + t / 2 * g))
-                        : Vec3(p_there + (v_there - fall) * (1 - braked) / k + (t - forest) * fall);
+                        : p_there + (v_there - fall) * (1 - braked) / k + (t - forest) * fall;
     };
     const double smooth = std::pow(duration, 4) / 384 * k * k * (g - k * v_there).norm();
     const double jump = forest > 0 ? k * v_there.norm() * duration * duration / 60 : 0;
     const Path path{
-        .rows = {row(projectile, 0, Vec3::Zero(), v), row(impact, duration, place(duration), velocity(duration))}};
+        .rows = {row(projectile, 0, Vec3{}, v), row(impact, duration, place(duration), velocity(duration))}};
     double greatest = 0;
     for (const PathPoint& point : points_of(path, 0.005)) {
       greatest = std::max(greatest, (vector(point.position_m) - place(point.time_s)).norm());

@@ -41,7 +41,7 @@ TEST(Panels, StandOnTheirFoot) {
   EXPECT_EQ(panels[0].length, 4);
   EXPECT_EQ(panels[1].length, 5);
   for (const Panel& panel : panels) {
-    EXPECT_EQ(panel.up, Vec3::UnitZ());
+    EXPECT_EQ(panel.up, unit_z);
     EXPECT_EQ(panel.height, 2);
     EXPECT_NEAR(panel.normal.dot(panel.along), 0, 1e-15);
     EXPECT_NEAR(panel.normal.dot(panel.up), 0, 1e-15);
@@ -89,22 +89,20 @@ TEST(Crossing, IsNotMissedBecauseOfBounds) {
     for (std::size_t i = 0; i < 2 + dice.below(4); ++i) foot.push_back(dice.in_cube(20));
     std::vector<Barrier> barriers(1);
     barriers[0].set_panels(panels_over(foot, dice.between(0.5, 5), dice.chance(0.5) ? 0.0 : dice.between(-0.5, 0.5)));
-    const Parabola path{dice.in_cube(20), dice.in_cube(15), Vec3::Zero()};
+    const Parabola path{dice.in_cube(20), dice.in_cube(15), Vec3{}};
     const double t_max = dice.between(0.1, 3);
     std::optional<double> expected;
     for (const Panel& panel : barriers[0].panels()) {
       // path.p + t path.v = foot + a along + h up
-      Mat3 columns;
-      columns << panel.along, panel.up, -path.v;
-      const Vec3 solution = columns.inverse() * (path.p - panel.foot);
+      const Vec3 solution = solved(panel.along, panel.up, -path.v, path.p - panel.foot);
       const double t = solution[2];
       const bool is_between_sides =
           solution[0] >= panel.start_at(solution[1]) && solution[0] <= panel.end_at(solution[1]);
       const bool is_on_it = is_between_sides && solution[1] >= 0 && solution[1] <= panel.height && t >= 0 && t <= t_max;
       if (is_on_it) expected = std::min(expected.value_or(t), t);
       const double top_start = panel.start_at(panel.height);
-      columns << panel.along, Vec3::UnitZ(), -path.v;
-      const Vec3 above = columns.inverse() * (path.p - panel.foot - top_start * panel.along - panel.height * panel.up);
+      const Vec3 above =
+          solved(panel.along, unit_z, -path.v, path.p - panel.foot - top_start * panel.along - panel.height * panel.up);
       const bool is_over_it = above[0] >= 0 && above[0] <= panel.end_at(panel.height) - top_start && above[1] >= 0;
       if (is_over_it && above[2] >= 0 && above[2] <= t_max) expected = std::min(expected.value_or(above[2]), above[2]);
     }
@@ -222,9 +220,8 @@ TEST(BarrierResponse, StopsRocksUpToItsCapacity) {
   motion.velocity = {10, 0, 0};
   motion.spin = {0, 3, 0};
   const double energy = kinetic_energy(motion, rock);
-  EXPECT_EQ(respond(fence(Vec3::Zero(), {0, 1, 0}, 4, 0, energy), motion, {-1, 0, 0}, rock).outcome,
-            BarrierOutcome::stopped);
-  EXPECT_EQ(respond(fence(Vec3::Zero(), {0, 1, 0}, 4, 0, infinite), motion, {-1, 0, 0}, rock).outcome,
+  EXPECT_EQ(respond(fence(Vec3{}, {0, 1, 0}, 4, 0, energy), motion, {-1, 0, 0}, rock).outcome, BarrierOutcome::stopped);
+  EXPECT_EQ(respond(fence(Vec3{}, {0, 1, 0}, 4, 0, infinite), motion, {-1, 0, 0}, rock).outcome,
             BarrierOutcome::stopped);
 }
 
@@ -234,7 +231,7 @@ TEST(BarrierResponse, LetsRocksBreakThroughWithTheExcess) {
   motion.spin = {0, 3, 1};
   const double energy = kinetic_energy(motion, rock);
   for (const double capacity : {0.0, 0.3 * energy, 0.999 * energy}) {
-    const auto [outcome, leaving] = respond(fence(Vec3::Zero(), {0, 1, 0}, 4, 0, capacity), motion, {-1, 0, 0}, rock);
+    const auto [outcome, leaving] = respond(fence(Vec3{}, {0, 1, 0}, 4, 0, capacity), motion, {-1, 0, 0}, rock);
     EXPECT_EQ(outcome, BarrierOutcome::broke_through);
     ASSERT_TRUE(leaving);
     Motion after = motion;
@@ -247,7 +244,7 @@ TEST(BarrierResponse, LetsRocksBreakThroughWithTheExcess) {
 }
 
 TEST(BarrierResponse, IsAReboundWithRestitution) {
-  Barrier barrier = fence(Vec3::Zero(), {0, 1, 0}, 4, 0, infinite);
+  Barrier barrier = fence(Vec3{}, {0, 1, 0}, 4, 0, infinite);
   barrier.restitution = Restitution{0.2, 0.5};
   Motion motion;
   motion.velocity = {10, 2, -4};

@@ -28,7 +28,7 @@ TEST(PlanIndex, VisitsExactlyTheRectanglesThatMeetInOrder) {
     const PlanIndex index(row);
     PlanBounds query;
     query.grow(Vec2(dice.between(-10, 60), dice.between(-20, 20)));
-    query.grow(Vec2(query.low + Vec2(dice.between(0, 30), dice.between(0, 20))));
+    query.grow(query.low + Vec2(dice.between(0, 30), dice.between(0, 20)));
     std::vector<std::size_t> expected, found;
     for (std::size_t i = 0; i < row.size(); ++i) {
       if (row[i].meet(query)) expected.push_back(i);

@@ -35,7 +35,7 @@ TEST(SphereInASection, ThatBeginsWithinABarrierMeetsItsFaceInThePlane) {
   std::vector<Barrier> barriers(1);
   barriers[0].set_panels({panel_in_section({0, 0, 0}, 1000, 0)});
   for (const double radius : {2.5, 3.0, 30.0}) {
-    const Parabola path{{-2, 0, 2}, {2, 0, 0}, Vec3::Zero()};
+    const Parabola path{{-2, 0, 2}, {2, 0, 0}, Vec3{}};
     const auto crossing = first_crossing(barriers, path, radius, 0, 10, {});
     ASSERT_TRUE(crossing);
     EXPECT_DOUBLE_EQ(crossing->t, 1);
@@ -91,7 +91,7 @@ Followed roll(const Slope& slope, const Rock& rock, bool downhill, const std::ve
 double first_touch(const Slope& slope, double radius, bool downhill, const Vec3& top) {
   const auto distance = [&](double s) {
     const Vec3 centre = s * slope.down() + radius * slope.normal();
-    const double share = std::clamp(centre.dot(top) / top.squaredNorm(), 0.0, 1.0);
+    const double share = std::clamp(centre.dot(top) / top.squared_norm(), 0.0, 1.0);
     return (centre - share * top).norm();
   };
   double outside = downhill ? -20 : 20, inside = outside;
@@ -208,7 +208,7 @@ TEST(SphereAtAPanel, TouchesTheTopOrPassesAboveIt) {
         // A straight path that passes the top at a distance.
         const Vec3 way = Vec3(side, 0, -fall).normalized(), aside = Vec3(side * fall, 0, 1).normalized();
         const auto crossing_at = [&](double distance) {
-          const Parabola path{top + distance * aside - 3 * way, way, Vec3::Zero()};
+          const Parabola path{top + distance * aside - 3 * way, way, Vec3{}};
           RecentCrossings met;
           auto crossing = first_crossing(barriers, path, radius, 0, 6, met);
           if (!crossing || !crossing->above || distance > radius) return crossing;
@@ -242,7 +242,7 @@ TEST(SphereAtAPanel, TouchesItsEndPostsOrPassesNextToThem) {
     for (const double end : {-1.0, 1.0}) {
       for (const double way : {-1.0, 1.0}) {
         const auto crossing_at = [&](double offset) {
-          const Parabola path{{10 - 9 * way, end * (5 + offset), 2}, {9 * way, 0, 0}, Vec3::Zero()};
+          const Parabola path{{10 - 9 * way, end * (5 + offset), 2}, {9 * way, 0, 0}, Vec3{}};
           return first_crossing(barriers, path, radius, 0, 2, {});
         };
         const auto touched = crossing_at(radius - near);
@@ -301,7 +301,7 @@ TEST(BarrierOnAPath, ARockThatPassesTheTopOfALeaningPanelAndComesDownOnItIsStopp
 double distance_from(const Barrier& barrier, const Vec3& p) {
   double nearest = infinite;
   for (const Panel& panel : barrier.panels()) {
-    const auto point = [&](double along, double up) { return Vec3(panel.foot + along * panel.along + up * panel.up); };
+    const auto point = [&](double along, double up) { return panel.foot + along * panel.along + up * panel.up; };
     const Vec3 a = point(0, 0), b = point(panel.length, 0), c = point(panel.end_at(panel.height), panel.height),
                d = point(panel.start_at(panel.height), panel.height);
     for (const Triangle& half : {Triangle{a, b, c}, Triangle{a, c, d}}) {
@@ -325,7 +325,7 @@ TEST(SphereAtAPanel, ComesNoNearerThanItsRadius) {
     const double side = dice.chance(0.5) ? 1 : -1;
     const Parabola path{{side * dice.between(4, 12), dice.between(-14, 14), dice.between(3, 12)},
                         {-side * dice.between(2, 20), dice.between(-6, 6), dice.between(-6, 4)},
-                        dice.chance(0.5) ? Vec3(0, 0, -9.81) : Vec3(Vec3::Zero())};
+                        dice.chance(0.5) ? Vec3(0, 0, -9.81) : Vec3{}};
     if (distance_from(barriers[0], path.p) < radius + 1e-3) continue;
     double t_end = 2;
     // Only above the foot: below it is ground.
@@ -360,7 +360,7 @@ TEST(SphereAtAPanel, ComesNoNearerThanItsRadius) {
 
     // The same, rotated about the vertical and shifted.
     const double turn = dice.between(0, 6.28);
-    const Mat3 turned = Eigen::AngleAxisd(turn, Vec3::UnitZ()).toRotationMatrix();
+    const Map3 turned = turn_about(unit_z, turn);
     const Vec3 moved(dice.between(-500, 500), dice.between(-500, 500), dice.between(-500, 500));
     std::vector<Vec3> elsewhere;
     for (const Vec3& point : foot) elsewhere.push_back(turned * point + moved);

@@ -12,14 +12,14 @@ namespace {
 using testing_tools::Dice;
 
 TEST(ArcLength, OfAStraightPathIsItsChord) {
-  EXPECT_EQ(arc_length({{1, 2, 3}, {3, 0, 4}, Vec3::Zero()}, 2), 10);
+  EXPECT_EQ(arc_length({{1, 2, 3}, {3, 0, 4}, Vec3{}}, 2), 10);
   EXPECT_EQ(arc_length({{1, 2, 3}, {3, 0, 4}, {0, 0, -9.81}}, 0), 0);
 }
 
 // Thrown up at 20 m/s, it turns at 20 m after 2 s and is back after 4 s.
 TEST(ArcLength, CountsTheWayUpAndDown) {
-  EXPECT_DOUBLE_EQ(arc_length({Vec3::Zero(), {0, 0, 20}, {0, 0, -10}}, 2), 20);
-  EXPECT_DOUBLE_EQ(arc_length({Vec3::Zero(), {0, 0, 20}, {0, 0, -10}}, 4), 40);
+  EXPECT_DOUBLE_EQ(arc_length({Vec3{}, {0, 0, 20}, {0, 0, -10}}, 2), 20);
+  EXPECT_DOUBLE_EQ(arc_length({Vec3{}, {0, 0, 20}, {0, 0, -10}}, 4), 40);
 }
 
 TEST(ArcLength, IsTheSumOfManyChords) {
@@ -36,16 +36,16 @@ TEST(ArcLength, IsTheSumOfManyChords) {
 
 TEST(TimeAtLength, OnAStraightPath) {
   const Vec3 e = Vec3(1, 2, -2) / 3;
-  const Parabola path{Vec3::Zero(), 4 * e, -1.5 * e};
+  const Parabola path{Vec3{}, 4 * e, -1.5 * e};
   EXPECT_NEAR(time_at_length(path, 5, 2).value(), 2, 1e-13);
   EXPECT_FALSE(time_at_length(path, 5.001, 2));
-  EXPECT_FALSE(time_at_length({Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}, 1, 2));
-  const Parabola from_rest{Vec3::Zero(), Vec3::Zero(), 2 * e};
+  EXPECT_FALSE(time_at_length({Vec3{}, Vec3{}, Vec3{}}, 1, 2));
+  const Parabola from_rest{Vec3{}, Vec3{}, 2 * e};
   EXPECT_NEAR(time_at_length(from_rest, 9, std::numeric_limits<double>::infinity()).value(), 3, 1e-13);
 }
 
 TEST(TimeAtLength, OnACurvedPath) {
-  const Parabola path{Vec3::Zero(), Vec3(5, 0, 0), Vec3(0, 6, 0)};
+  const Parabola path{Vec3{}, Vec3(5, 0, 0), Vec3(0, 6, 0)};
   EXPECT_NEAR(time_at_length(path, arc_length(path, 0.07), 0.1).value(), 0.07, 1e-12);
 }
 

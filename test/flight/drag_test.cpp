@@ -62,11 +62,11 @@ TEST(LinearDrag, PiecesEndOnTheClosedForm) {
 
 // The maximum depth of a piece below the closed form, between its ends; on plan it is exact.
 double farthest_below(const LinearDrag& drag, const Vec3& v, double length) {
-  const Parabola piece = drag.piece(Vec3::Zero(), v, length);
+  const Parabola piece = drag.piece(Vec3{}, v, length);
   double farthest = 0;
   for (int k = 0; k <= 1000; ++k) {
     const double s = length * k / 1000;
-    const Vec3 off = exact_place(Vec3::Zero(), v, drag.rate, drag.time(s)) - piece.at(s);
+    const Vec3 off = exact_place(Vec3{}, v, drag.rate, drag.time(s)) - piece.at(s);
     EXPECT_LT(std::hypot(off.x(), off.y()), 1e-11);
     EXPECT_GT(off.z(), -1e-11);
     farthest = std::max(farthest, off.z());
@@ -117,11 +117,11 @@ TEST(LinearDrag, EnergyNeverGrows) {
   Dice dice(2);
   for (int number = 0; number < 2000; ++number) {
     const LinearDrag drag{dice.magnitude(1e-3, 100), gravity};
-    const Vec3 v = dice.chance(0.1) ? Vec3(Vec3::Zero()) : dice.in_cube(dice.magnitude(0.01, 40));
+    const Vec3 v = dice.chance(0.1) ? Vec3{} : dice.in_cube(dice.magnitude(0.01, 40));
     const double length = drag.longest_piece();
-    const Parabola piece = drag.piece(Vec3::Zero(), v, length);
+    const Parabola piece = drag.piece(Vec3{}, v, length);
     const auto energy = [&](double s) {
-      return 0.5 * drag.velocity(piece, s).squaredNorm() - gravity.dot(piece.at(s));
+      return 0.5 * drag.velocity(piece, s).squared_norm() - gravity.dot(piece.at(s));
     };
     for (int k = 1; k <= 20; ++k) EXPECT_LE(energy(length * k / 20), energy(0) * (1 + 1e-14) + 1e-15);
   }

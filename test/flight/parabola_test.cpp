@@ -22,7 +22,7 @@ TEST(Parabola, IncludesTheVerticalVelocityTerm) {
 TEST(Parabola, EnergyIsConstant) {
   const Parabola path{{1, 2, 300}, {40, -5, 6}, {0, 0, -standard_gravity}};
   const auto energy = [&](double t) {
-    return 0.5 * path.velocity(t).squaredNorm() + standard_gravity * path.at(t).z();
+    return 0.5 * path.velocity(t).squared_norm() + standard_gravity * path.at(t).z();
   };
   for (const double t : {0.1, 1.0, 5.0, 30.0}) EXPECT_NEAR(energy(t), energy(0), 1e-12 * 4000);
 }

@@ -40,7 +40,7 @@ TEST(StateWithDrag, IsAParabolaWithoutDrag) {
 
 TEST(StateWithDrag, SinksAtItsTerminalVelocity) {
   const double rate = 75;
-  const FlightState state = state_with_drag(Vec3::Zero(), {3, 0, 4}, {rate, gravity}, 1000);
+  const FlightState state = state_with_drag(Vec3{}, {3, 0, 4}, {rate, gravity}, 1000);
   EXPECT_NEAR(state.place.x(), 3 / rate, 1e-15);
   EXPECT_NEAR(state.velocity.z(), -standard_gravity / rate, 1e-15);
   EXPECT_NEAR(state.place.z(), 4 / rate - standard_gravity / rate * (1000 - 1 / rate), 1e-10);

@@ -262,17 +262,17 @@ TEST(TouchPoint, InAWindowIsThatOfTheWholePath) {
 
 TEST(TouchEdge, DoesNotIncludeTheEnds) {
   const Parabola off_the_end{{-0.5, 0, 2}, {0, 0, -1}, {0, 0, -9.81}};
-  EXPECT_FALSE(touch_edge(off_the_end, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10}));
-  EXPECT_TRUE(touch_point(off_the_end, Vec3::Zero(), 1, {0, 10}));
+  EXPECT_FALSE(touch_edge(off_the_end, Vec3{}, unit_x, 1, 1, {0, 10}));
+  EXPECT_TRUE(touch_point(off_the_end, Vec3{}, 1, {0, 10}));
   const Parabola above{{0.5, 0, 2}, {0, 0, -1}, {0, 0, 0}};
-  const auto t = touch_edge(above, Vec3::Zero(), Vec3::UnitX(), 1, 1, {0, 10});
+  const auto t = touch_edge(above, Vec3{}, unit_x, 1, 1, {0, 10});
   ASSERT_TRUE(t);
   EXPECT_DOUBLE_EQ(*t, 1);
 }
 
 TEST(TouchPoint, AtRestOnItIsATouchAtOnce) {
   const Parabola path{{0, 0, 1}, {0, 0, 0}, {0, 0, -9.81}};
-  const auto t = touch_point(path, Vec3::Zero(), 1, {0, 10});
+  const auto t = touch_point(path, Vec3{}, 1, {0, 10});
   ASSERT_TRUE(t);
   EXPECT_LT(*t, 1e-12);
 }
@@ -281,9 +281,9 @@ TEST(TouchPoint, AtRestOnItIsATouchAtOnce) {
 TEST(TouchPoint, AFastRockTakesOffAtTheTop) {
   const double limit = std::sqrt(9.81 * 1.0);
   const Parabola slow{{0, 0, 1}, {0.99 * limit, 0, 0}, {0, 0, -9.81}};
-  EXPECT_TRUE(touch_point(slow, Vec3::Zero(), 1, {0, 10}));
+  EXPECT_TRUE(touch_point(slow, Vec3{}, 1, {0, 10}));
   const Parabola fast{{0, 0, 1}, {1.01 * limit, 0, 0}, {0, 0, -9.81}};
-  EXPECT_FALSE(touch_point(fast, Vec3::Zero(), 1, {0, 10}));
+  EXPECT_FALSE(touch_point(fast, Vec3{}, 1, {0, 10}));
 }
 
 }  // namespace

@@ -9,14 +9,14 @@
 namespace talus::crsp_test {
 namespace {
 
-using testing_tools::Dice;
+using namespace testing_tools;
 
 // The rock of the manual's sections 2 and 7, and the normal of triangle BCD.
 const Rock rock = sphere_of_diameter(1.0, 2700);
 const Vec3 normal_bcd(-std::sqrt(2.0 / 3), std::sqrt(2.0) / 3, 1.0 / 3);
 
 double energy(const Vec3& v, const Vec3& w, const Rock& r) {
-  return 0.5 * r.mass * v.squaredNorm() + 0.5 * r.inertia * w.squaredNorm();
+  return 0.5 * r.mass * v.squared_norm() + 0.5 * r.inertia * w.squared_norm();
 }
 
 TEST(Crsp, TheManualsRock) {
@@ -32,7 +32,7 @@ TEST(Crsp, FactorsOfTheManual) {
 
 TEST(Crsp, FirstImpactOfTheManual) {
   const Vec3& n = normal_bcd;
-  const Rebound after = crsp_rebound({3, 0, -10.7934}, Vec3::Zero(), n, rock, {0.3, 0.7});
+  const Rebound after = crsp_rebound({3, 0, -10.7934}, Vec3{}, n, rock, {0.3, 0.7});
   EXPECT_NEAR(after.velocity.dot(n), 1.81419, 2e-5);
   EXPECT_NEAR(tangential(after.velocity, n).norm(), 5.706, 5e-4);
   EXPECT_NEAR(after.spin.norm(), 11.412, 1e-3);
@@ -56,8 +56,8 @@ TEST(Crsp, SecondImpactOfTheManual) {
                          {-10.4569, -17.3078, -1.1371}}};
   for (const Case& c : cases) {
     const Rebound after = crsp_rebound(c.v, c.w, normal_bcd, rock, {0.3, 0.7});
-    EXPECT_LT((after.velocity - c.v_after).norm(), 2e-4) << after.velocity.transpose();
-    EXPECT_LT((after.spin - c.w_after).norm(), 6e-4) << after.spin.transpose();
+    EXPECT_LT((after.velocity - c.v_after).norm(), 2e-4) << after.velocity;
+    EXPECT_LT((after.spin - c.w_after).norm(), 6e-4) << after.spin;
   }
 }
 
@@ -79,33 +79,33 @@ TEST(Crsp, ImpactsOfTheTutorial) {
   for (const Case& c : cases) {
     const Vec2 d = (c.to - c.from).normalized();
     const Rebound after = crsp_rebound(c.v, {0, c.w, 0}, {-d.y(), 0, d.x()}, tutorial, {c.rn, 0.9});
-    EXPECT_LT((after.velocity - c.v_after).norm(), 2e-4) << after.velocity.transpose();
+    EXPECT_LT((after.velocity - c.v_after).norm(), 2e-4) << after.velocity;
     EXPECT_NEAR(after.spin.y(), c.w_after, 1e-3);
     EXPECT_NEAR(after.spin.x(), 0, 1e-12);
   }
 }
 
 TEST(Crsp, WithoutNormalRestitutionNoSpeedRemains) {
-  const Rebound after = crsp_rebound({3, 1, -5}, {1, 2, 3}, Vec3::UnitZ(), rock, {0, 0.8});
-  EXPECT_EQ(after.velocity, Vec3::Zero());
+  const Rebound after = crsp_rebound({3, 1, -5}, {1, 2, 3}, unit_z, rock, {0, 0.8});
+  EXPECT_EQ(after.velocity, Vec3{});
   EXPECT_EQ(after.spin, Vec3(0, 0, 3));
 }
 
 TEST(Crsp, WithoutTangentialRestitutionItLeavesAlongTheNormal) {
-  const Rebound after = crsp_rebound({3, 1, -5}, {1, 2, 3}, Vec3::UnitZ(), rock, {0.5, 0});
+  const Rebound after = crsp_rebound({3, 1, -5}, {1, 2, 3}, unit_z, rock, {0.5, 0});
   EXPECT_EQ(after.velocity, Vec3(0, 0, 2.5));
   EXPECT_EQ(after.spin, Vec3(0, 0, 3));
 }
 
 TEST(Crsp, StraightDownLeavesStraightUp) {
-  const Rebound after = crsp_rebound({0, 0, -5}, {0, 0, 3}, Vec3::UnitZ(), rock, {0.5, 0.8});
+  const Rebound after = crsp_rebound({0, 0, -5}, {0, 0, 3}, unit_z, rock, {0.5, 0.8});
   EXPECT_EQ(after.velocity, Vec3(0, 0, 2.5));
   EXPECT_EQ(after.spin, Vec3(0, 0, 3));
 }
 
 // v1 = 0 with spin: the rock leaves in the direction in which its spin drives it.
 TEST(Crsp, SpinAloneDrivesTheRock) {
-  const Rebound after = crsp_rebound({0, 0, -5}, {0, 4, 0}, Vec3::UnitZ(), rock, {0.5, 0.8});
+  const Rebound after = crsp_rebound({0, 0, -5}, {0, 4, 0}, unit_z, rock, {0.5, 0.8});
   EXPECT_GT(after.velocity.x(), 0.1);
   EXPECT_NEAR(after.velocity.y(), 0, 1e-15);
   EXPECT_NEAR(after.spin.y(), after.velocity.x() / rock.radius, 1e-12);
@@ -113,9 +113,9 @@ TEST(Crsp, SpinAloneDrivesTheRock) {
 
 // A rock that is set down arrives with a tiny velocity by rounding.
 TEST(Crsp, SpinDrivesARockThatHardlyMoves) {
-  const Rebound still = crsp_rebound({0, 0, -1e-7}, {0, 12, 0}, Vec3::UnitZ(), rock, {0.3, 0.7});
+  const Rebound still = crsp_rebound({0, 0, -1e-7}, {0, 12, 0}, unit_z, rock, {0.3, 0.7});
   for (const double along : {1e-7, -1e-7}) {
-    const Rebound after = crsp_rebound({along, 0, -1e-7}, {0, 12, 0}, Vec3::UnitZ(), rock, {0.3, 0.7});
+    const Rebound after = crsp_rebound({along, 0, -1e-7}, {0, 12, 0}, unit_z, rock, {0.3, 0.7});
     EXPECT_LT((after.velocity - still.velocity).norm(), 1e-6);
     EXPECT_LT((after.spin - still.spin).norm(), 1e-6);
   }
@@ -124,12 +124,12 @@ TEST(Crsp, SpinDrivesARockThatHardlyMoves) {
 // As spin about the axis of rolling vanishes, the law approaches that without spin.
 TEST(Crsp, VanishingSpinHasNoEffect) {
   const Vec3 v(3, 0, -5);
-  const Rebound none = crsp_rebound(v, Vec3::Zero(), Vec3::UnitZ(), rock, {0.5, 0.8});
+  const Rebound none = crsp_rebound(v, Vec3{}, unit_z, rock, {0.5, 0.8});
   for (const double w : {1e-3, 1e-6, 1e-9, 1e-12, 1e-300}) {
     for (const double sense : {1.0, -1.0}) {
-      const Rebound some = crsp_rebound(v, {0, sense * w, 0}, Vec3::UnitZ(), rock, {0.5, 0.8});
+      const Rebound some = crsp_rebound(v, {0, sense * w, 0}, unit_z, rock, {0.5, 0.8});
       EXPECT_LT((some.velocity - none.velocity).norm(), w + 1e-12);
-      EXPECT_TRUE(some.velocity.allFinite() && some.spin.allFinite());
+      EXPECT_TRUE(some.velocity.is_finite() && some.spin.is_finite());
     }
   }
 }
@@ -156,12 +156,12 @@ TEST(Crsp, RandomImpactsObeyTheLaw) {
 
     // The impact is invariant under rotation and under reflection in a plane through the origin (spin is an axial
     // vector).
-    const Mat3 turn = dice.turn();
+    const Map3 turn = dice.turn();
     const Rebound turned_after = crsp_rebound(turn * v, turn * w, turn * n, r, e);
     const double tolerance = 1e-9 * speed;
     ASSERT_LT((turned_after.velocity - turn * after.velocity).norm(), tolerance);
     const Vec3 m = dice.direction();
-    const Mat3 mirror = Mat3::Identity() - 2 * m * m.transpose();
+    const Map3 mirror = mirror_across(m);
     const Rebound mirrored = crsp_rebound(mirror * v, -(mirror * w), mirror * n, r, e);
     ASSERT_LT((mirrored.velocity - mirror * after.velocity).norm(), tolerance);
     ASSERT_LT((mirrored.spin + mirror * after.spin).norm() * r.radius, tolerance);

@@ -7,10 +7,10 @@
 namespace talus::plain_test {
 namespace {
 
-using testing_tools::Dice;
+using namespace testing_tools;
 
 TEST(PlainImpact, ScalesEachComponent) {
-  const Rebound after = plain_rebound({3, -4, -5}, {1, 2, 3}, Vec3::UnitZ(), {0.4, 0.5});
+  const Rebound after = plain_rebound({3, -4, -5}, {1, 2, 3}, unit_z, {0.4, 0.5});
   EXPECT_LT((after.velocity - Vec3(1.5, -2, 2)).norm(), 1e-15);
   EXPECT_EQ(after.spin, Vec3(1, 2, 3));
 }
@@ -28,7 +28,7 @@ TEST(PlainImpact, RandomImpactsObeyTheLaw) {
     ASSERT_NEAR(after.velocity.dot(n), -e.normal * v.dot(n), 1e-14 * v.norm());
     ASSERT_LT((tangential(after.velocity, n) - e.tangential * tangential(v, n)).norm(), 1e-14 * v.norm());
     ASSERT_EQ(after.spin, w);
-    const Mat3 turn = dice.turn();
+    const Map3 turn = dice.turn();
     ASSERT_LT((plain_rebound(turn * v, w, turn * n, e).velocity - turn * after.velocity).norm(), 1e-13 * v.norm());
   }
 }

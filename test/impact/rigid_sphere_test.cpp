@@ -12,10 +12,10 @@
 namespace talus::rigid_sphere_test {
 namespace {
 
-using testing_tools::Dice;
+using namespace testing_tools;
 
 double energy(const Vec3& v, const Vec3& w, const Rock& r) {
-  return 0.5 * r.mass * v.squaredNorm() + 0.5 * r.inertia * w.squaredNorm();
+  return 0.5 * r.mass * v.squared_norm() + 0.5 * r.inertia * w.squared_norm();
 }
 
 Vec3 contact_velocity(const Vec3& v, const Vec3& w, const Vec3& n, double radius) { return v - radius * w.cross(n); }
@@ -42,7 +42,7 @@ TEST(RigidSphere, SectionSevenThree) {
   EXPECT_NEAR(slip_mass, 403.92, 0.005);
 
   const Rebound after =
-      rigid_sphere_rebound(v, Vec3::Zero(), n, rock, {0.3, 0.7}, ContactFriction{std::tan(std::numbers::pi / 6)});
+      rigid_sphere_rebound(v, Vec3{}, n, rock, {0.3, 0.7}, ContactFriction{std::tan(std::numbers::pi / 6)});
   const Vec3 u = contact_velocity(after.velocity, after.spin, n, rock.radius);
   EXPECT_NEAR(u.dot(n), 1.73084, 2e-5);
   EXPECT_NEAR(u.dot(t1), 6.05867, 2e-5);
@@ -65,8 +65,8 @@ TEST(RigidSphere, SecondImpactOfTableSevenOne) {
   const Vec3 acd(std::sqrt(2.0 / 3), std::sqrt(2.0) / 3, 1.0 / 3);
   const Rebound after =
       rigid_sphere_rebound(v, w, acd, rock, {0.3, 0.7}, ContactFriction{std::tan(std::numbers::pi / 6)});
-  EXPECT_LT((after.velocity - expected).norm(), 2e-4) << after.velocity.transpose();
-  EXPECT_LT((after.spin - spin).norm(), 3e-4) << after.spin.transpose();
+  EXPECT_LT((after.velocity - expected).norm(), 2e-4) << after.velocity;
+  EXPECT_LT((after.spin - spin).norm(), 3e-4) << after.spin;
 }
 
 // The first two impacts of tables C-1 (Rt = 0) and C-2 (Rt = 0.68). In C-1 the manual's spin has the opposite sign.
@@ -75,28 +75,27 @@ TEST(RigidSphere, TablesOfAppendixC) {
   const Vec2 d = Vec2(3.1, -12.2).normalized();
   const Vec3 n(-d.y(), 0, d.x());
   const auto first = [&](double rt, double mu) {
-    return rigid_sphere_rebound({1.5, 0, -12.2677}, Vec3::Zero(), n, rock, {0.55, rt}, ContactFriction{mu});
+    return rigid_sphere_rebound({1.5, 0, -12.2677}, Vec3{}, n, rock, {0.55, rt}, ContactFriction{mu});
   };
   const Rebound sticking = first(0.68, 0.47);
-  EXPECT_LT((sticking.velocity - Vec3(3.57856, 0, -10.583)).norm(), 3e-4) << sticking.velocity.transpose();
+  EXPECT_LT((sticking.velocity - Vec3(3.57856, 0, -10.583)).norm(), 3e-4) << sticking.velocity;
   EXPECT_NEAR(sticking.spin.y(), 6.77544, 2e-3);
   const Rebound slipping = first(0, 0.47);
-  EXPECT_LT((slipping.velocity - Vec3(3.57343, 0, -10.5627)).norm(), 3e-4) << slipping.velocity.transpose();
+  EXPECT_LT((slipping.velocity - Vec3(3.57343, 0, -10.5627)).norm(), 3e-4) << slipping.velocity;
   EXPECT_NEAR(slipping.spin.y(), 6.90244, 2e-3);
 }
 
 TEST(RigidSphere, WithoutFrictionNothingTangentialChanges) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
   const Vec3 v(3, -2, -5), w(1, 2, 3);
-  const Rebound after = rigid_sphere_rebound(v, w, Vec3::UnitZ(), rock, {0.5, 0.2}, ContactFriction{0});
+  const Rebound after = rigid_sphere_rebound(v, w, unit_z, rock, {0.5, 0.2}, ContactFriction{0});
   EXPECT_LT((after.velocity - Vec3(3, -2, 2.5)).norm(), 1e-14);
   EXPECT_EQ(after.spin, w);
 }
 
 TEST(RigidSphere, SticksWithoutTangentialRestitutionAndRolls) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
-  const Rebound after =
-      rigid_sphere_rebound({7, 0, -5}, Vec3::Zero(), Vec3::UnitZ(), rock, {0, 0}, ContactFriction{100});
+  const Rebound after = rigid_sphere_rebound({7, 0, -5}, Vec3{}, unit_z, rock, {0, 0}, ContactFriction{100});
   EXPECT_NEAR(after.velocity.x(), 5, 1e-12);  // a sphere that begins to roll keeps 5/7 of its velocity
   EXPECT_NEAR(after.spin.y(), 10, 1e-12);
   EXPECT_NEAR(after.velocity.z(), 0, 1e-12);
@@ -138,11 +137,11 @@ TEST(RigidSphere, RandomImpactsObeyTheLaw) {
     // The change of spin by the impulse, about the centre: I dw = rc x J.
     ASSERT_LT((r.inertia * (after.spin - w) + r.radius * n.cross(impulse)).norm(), 1e-11 * r.mass * r.radius * speed);
 
-    const Mat3 turn = dice.turn();
+    const Map3 turn = dice.turn();
     const Rebound turned_after = rigid_sphere_rebound(turn * v, turn * w, turn * n, r, e, ContactFriction{mu});
     ASSERT_LT((turned_after.velocity - turn * after.velocity).norm(), 1e-11 * speed);
     const Vec3 m = dice.direction();
-    const Mat3 mirror = Mat3::Identity() - 2 * m * m.transpose();
+    const Map3 mirror = mirror_across(m);
     const Rebound mirrored = rigid_sphere_rebound(mirror * v, -(mirror * w), mirror * n, r, e, ContactFriction{mu});
     ASSERT_LT((mirrored.velocity - mirror * after.velocity).norm(), 1e-11 * speed);
     ASSERT_LT((mirrored.spin + mirror * after.spin).norm() * r.radius, 1e-10 * speed);
@@ -161,7 +160,7 @@ TEST(RigidSphere, LosesRollingResistanceOfTheImpulseInAnyNumberOfImpacts) {
     for (int i = 0; i < impacts; ++i) {
       const Vec3 falling = motion.velocity - Vec3(0, 0, 5.0 / impacts);
       const Rebound after =
-          rigid_sphere_rebound(falling, motion.spin, Vec3::UnitZ(), rock, {0, 0}, {.dynamic = 0.6, .rolling = 0.4});
+          rigid_sphere_rebound(falling, motion.spin, unit_z, rock, {0, 0}, {.dynamic = 0.6, .rolling = 0.4});
       motion.velocity = after.velocity;
       motion.spin = after.spin;
     }
@@ -172,8 +171,8 @@ TEST(RigidSphere, LosesRollingResistanceOfTheImpulseInAnyNumberOfImpacts) {
 
 TEST(RigidSphere, RollingResistanceEndsTheRollingAtMost) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
-  const Rebound after = rigid_sphere_rebound({2, 0, -5}, {0, 2 / rock.radius, 3}, Vec3::UnitZ(), rock, {0.3, 0},
-                                             {.dynamic = 10, .rolling = 10});
+  const Rebound after =
+      rigid_sphere_rebound({2, 0, -5}, {0, 2 / rock.radius, 3}, unit_z, rock, {0.3, 0}, {.dynamic = 10, .rolling = 10});
   EXPECT_NEAR(after.velocity.x(), 0, 1e-12);
   EXPECT_NEAR(after.velocity.z(), 1.5, 1e-12);
   EXPECT_NEAR(after.spin.y(), 0, 1e-12);
@@ -200,7 +199,7 @@ TEST(RigidSphere, RollingResistanceOnlyTakesEnergyWithinCoulombsLimit) {
     ASSERT_LE(tangential(impulse, n).norm(), friction.dynamic * impulse.dot(n) * (1 + 1e-9) + 1e-11 * r.mass * speed);
     const Vec3 spin = tangential(after.spin, n), spin_without = tangential(without.spin, n);
     ASSERT_LE(spin.norm(), spin_without.norm() * (1 + 1e-12));
-    ASSERT_GE(spin.dot(spin_without), -1e-12 * spin_without.squaredNorm());
+    ASSERT_GE(spin.dot(spin_without), -1e-12 * spin_without.squared_norm());
   }
 }
 
@@ -209,10 +208,10 @@ TEST(RigidSphere, CrspDampingScalesTheEnergyOfSlip) {
   const Restitution e{0.3, 0.7};
   const Vec3 v(3, 0, -6), w(0, 2, 0);
   const double slip = 3 - 2 * 0.5;
-  const double rt = crsp_damped_tangential_restitution(v, w, Vec3::UnitZ(), rock, e);
+  const double rt = crsp_damped_tangential_restitution(v, w, unit_z, rock, e);
   EXPECT_DOUBLE_EQ(rt * rt, crsp_friction_function(slip, 0.7) * crsp_scaling_factor(-6, e));
   EXPECT_LE(rt, 1);
-  EXPECT_EQ(crsp_damped_tangential_restitution(v, w, Vec3::UnitZ(), rock, {0, 0.7}), 0);
+  EXPECT_EQ(crsp_damped_tangential_restitution(v, w, unit_z, rock, {0, 0.7}), 0);
 }
 
 }  // namespace

@@ -13,18 +13,18 @@ namespace {
 using namespace testing_tools;
 
 TEST(Roughness, TiltsByTheAngles) {
-  const Vec3 ahead = tilted_normal(Vec3::UnitZ(), Vec3::UnitX(), 0.2, 0);
+  const Vec3 ahead = tilted_normal(unit_z, unit_x, 0.2, 0);
   EXPECT_LT((ahead - Vec3(-std::sin(0.2), 0, std::cos(0.2))).norm(), 1e-15);
-  const Vec3 aside = tilted_normal(Vec3::UnitZ(), Vec3::UnitX(), 0, 0.2);
+  const Vec3 aside = tilted_normal(unit_z, unit_x, 0, 0.2);
   EXPECT_LT((aside - Vec3(0, std::sin(0.2), std::cos(0.2))).norm(), 1e-15);
-  EXPECT_EQ(tilted_normal(Vec3::UnitZ(), Vec3::UnitX(), 0, 0), Vec3::UnitZ());
+  EXPECT_EQ(tilted_normal(unit_z, unit_x, 0, 0), unit_z);
 }
 
 // A positive angle raises the ground against the rock.
 TEST(Roughness, AheadRisesAgainstTheRock) {
   const Vec3 v(5, 0, -1);
-  EXPECT_LT(v.dot(tilted_normal(Vec3::UnitZ(), Vec3::UnitX(), 0.1, 0)), v.z());
-  EXPECT_GT(v.dot(tilted_normal(Vec3::UnitZ(), Vec3::UnitX(), -0.1, 0)), v.z());
+  EXPECT_LT(v.dot(tilted_normal(unit_z, unit_x, 0.1, 0)), v.z());
+  EXPECT_GT(v.dot(tilted_normal(unit_z, unit_x, -0.1, 0)), v.z());
 }
 
 TEST(Roughness, NeverTurnsTheGroundOver) {
@@ -38,8 +38,8 @@ TEST(Roughness, NeverTurnsTheGroundOver) {
 }
 
 TEST(Roughness, KeptOutsideRemovesOnlyTheComponentIntoTheFacet) {
-  EXPECT_EQ(kept_outside({1, 2, 3}, Vec3::UnitZ()), Vec3(1, 2, 3));
-  EXPECT_EQ(kept_outside({1, 2, -3}, Vec3::UnitZ()), Vec3(1, 2, 0));
+  EXPECT_EQ(kept_outside({1, 2, 3}, unit_z), Vec3(1, 2, 3));
+  EXPECT_EQ(kept_outside({1, 2, -3}, unit_z), Vec3(1, 2, 0));
 }
 
 // A material with a normal roughness: standard deviation of the angle, ahead and aside, without correlation.

@@ -75,7 +75,7 @@ TEST_F(LasFileTest, ReadsManyBlocks) {
   const LasFile las = read(spec);
   ASSERT_EQ(las.points.size(), spec.points.size());
   for (std::size_t k = 0; k < las.points.size(); ++k)
-    ASSERT_LT((las.points[k] - spec.points[k].at).cwiseAbs().maxCoeff(), 0.0051);
+    ASSERT_LT((las.points[k] - spec.points[k].at).abs().largest(), 0.0051);
 }
 
 TEST_F(LasFileTest, ReadsTheRequestedClasses) {
@@ -200,7 +200,7 @@ TEST_F(LasFileTest, RefusesCoordinatesTooFarFromTheOrigin) {
 TEST_F(LasFileTest, RefusesScalesThatGiveInfiniteCoordinates) {
   LasSpec spec = six_points();
   spec.scale = 1e305;
-  spec.offset = Vec3::Zero();
+  spec.offset = Vec3{};
   EXPECT_EQ(
       refusal(spec),
       "p.las: has the scales 1e+305, 1e+305, 1e+305 and the offsets 0, 0, 0 (its coordinates would not be finite)");

@@ -104,7 +104,7 @@ TEST(MeshFileMutations, GiveAValidMeshOrBadInput) {
       const RawMesh mesh = seed.read(bytes, problems);
       ++read;
       EXPECT_FALSE(mesh.triangles.empty());
-      for (const Vec3& v : mesh.vertices) EXPECT_TRUE(v.allFinite());
+      for (const Vec3& v : mesh.vertices) EXPECT_TRUE(v.is_finite());
       for (const Triangle& t : mesh.triangles) {
         for (const std::uint32_t v : t) EXPECT_LT(v, mesh.vertices.size());
       }

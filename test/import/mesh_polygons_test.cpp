@@ -52,11 +52,11 @@ TEST_F(MeshPolygons, RandomStarShapedFacesKeepTheirAreaInAnyPlane) {
   for (int trial = 0; trial < 200; ++trial) {
     const int corners = 4 + trial % 30;
     const Vec3 u = Vec3{radius(random), radius(random), radius(random)}.normalized();
-    const Vec3 v = u.unitOrthogonal();
+    const Vec3 v = u.cross(unit_z).normalized();
     std::string bytes;
     std::string face = "f";
     std::vector<Vec3> points;
-    Vec3 doubled_area = Vec3::Zero();
+    Vec3 doubled_area;
     for (int i = 0; i < corners; ++i) {
       const double angle = 2 * std::numbers::pi * i / corners;
       const Vec3 p = Vec3{2'600'000, 1'200'000, 500} + radius(random) * (std::cos(angle) * u + std::sin(angle) * v);

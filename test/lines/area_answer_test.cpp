@@ -45,7 +45,7 @@ TEST(AskedArea, HasTheMaximaOfPathsInside) {
       constexpr int steps = 400;
       for (int k = 0; k <= steps; ++k) {
         const double s = piece.duration * k / steps;
-        if (area.polygon.contains(piece.path.at(s).head<2>())) speed = std::max(speed, piece.velocity(s).norm());
+        if (area.polygon.contains(piece.path.at(s).xy())) speed = std::max(speed, piece.velocity(s).norm());
       }
     }
     const auto found = std::ranges::find(answer.entering, rock, &RockInside::rock);
@@ -55,7 +55,7 @@ TEST(AskedArea, HasTheMaximaOfPathsInside) {
     const double most = found->maxima[static_cast<std::size_t>(CrossingQuantity::velocity)];
     EXPECT_GE(most, speed * (1 - 1e-12));
     EXPECT_NEAR(most, speed, 0.1) << rock;
-    const bool stops = area.polygon.contains(run.records[rock].outcome.end.position.head<2>()) &&
+    const bool stops = area.polygon.contains(run.records[rock].outcome.end.position.xy()) &&
                        run.records[rock].outcome.reason != EndReason::left_model;
     EXPECT_EQ(found->stops, stops);
     stopping += stops ? 1 : 0;

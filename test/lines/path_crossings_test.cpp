@@ -122,7 +122,7 @@ TEST(PathCrossings, CountASphereAtTheLineOfTheBarrierThatHoldsIt) {
   line.set_panels(panels_over(foot, 4, 0));
   line.is_collector = true;
   const std::vector<Barrier> both{net, line}, alone{line};
-  PathPiece flight{.path = {Vec3(0, 0, 2), Vec3(10, 0, 0), Vec3::Zero()}, .duration = 0.95, .spin = Vec3::Zero()};
+  PathPiece flight{.path = {Vec3(0, 0, 2), Vec3(10, 0, 0), Vec3{}}, .duration = 0.95, .spin = Vec3{}};
   PathCrossings with_net(both), without(alone);
   for (PathCrossings* each : {&with_net, &without}) {
     each->begin(0.5);
@@ -143,7 +143,7 @@ TEST(PathCrossings, AreSettledWithTheFirstHit) {
   const std::vector<Barrier> alone{line};
   PathCrossings crossings(alone);
   crossings.begin(0);
-  PathPiece piece{.path = {Vec3(0, 0, 2), Vec3(10, 0, 0), Vec3::Zero()}, .duration = 0.9, .spin = Vec3::Zero()};
+  PathPiece piece{.path = {Vec3(0, 0, 2), Vec3(10, 0, 0), Vec3{}}, .duration = 0.9, .spin = Vec3{}};
   crossings.add(piece);
   EXPECT_FALSE(crossings.is_settled(BarrierId{0}, 0.9));
   piece.path.p.x() = 9;

@@ -60,7 +60,7 @@ TEST(ReleaseSpots, HaveTheirRocksOfOneSource) {
     EXPECT_EQ(spot.seeder.index, record.seeder.index);
     EXPECT_EQ(spot.source.index, record.source.index);
     if (spot.size.x() == 0) continue;
-    const Vec2 away = (record.outcome.start.position - spot.place).head<2>();
+    const Vec2 away = (record.outcome.start.position - spot.place).xy();
     EXPECT_LE(std::abs(away.x()), spot.size.x() / 2 + 1e-9);
     EXPECT_LE(std::abs(away.y()), spot.size.y() / 2 + 1e-9);
   }

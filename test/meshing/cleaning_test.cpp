@@ -47,8 +47,8 @@ TEST(Cleaning, SliversAreMeasuredByTheirHeight) {
                        {{0, 1, 2}, {0, 3, 1}}};
     return clean(mesh).report.degenerate.count;
   };
-  EXPECT_EQ(with_height(0.9e-9, Vec3::Zero()), 1U);
-  EXPECT_EQ(with_height(1.1e-9, Vec3::Zero()), 0U);
+  EXPECT_EQ(with_height(0.9e-9, Vec3{}), 1U);
+  EXPECT_EQ(with_height(1.1e-9, Vec3{}), 0U);
   // Far from the origin such heights are below the rounding of the coordinates.
   EXPECT_EQ(with_height(1.1e-9, {2'600'000, 1'200'000, 0}), 1U);
   EXPECT_EQ(with_height(1e-8, {2'600'000, 1'200'000, 0}), 0U);
@@ -130,7 +130,7 @@ TEST(Cleaning, RefusesMeshesThatCannotBeCleaned) {
 }
 
 TEST(Cleaning, ReportsOnlyTheFirstOfManyBadVertices) {
-  RawMesh mesh{std::vector<Vec3>(1000, Vec3::Constant(std::numeric_limits<double>::quiet_NaN())), {{0, 1, 2}}};
+  RawMesh mesh{std::vector<Vec3>(1000, Vec3::all(std::numeric_limits<double>::quiet_NaN())), {{0, 1, 2}}};
   const std::string text = refusal(mesh);
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10);
   EXPECT_THAT(text, ::testing::EndsWith("\nslope.obj: 990 more of this kind"));

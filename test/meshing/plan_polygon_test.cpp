@@ -31,7 +31,7 @@ Ring star(Dice& dice, const Vec2& centre, double radius, int n, bool clockwise =
 bool winds_about(const Ring& ring, const Vec2& p) {
   double turned = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Vec2 a = Vec2(ring[k].head(2)) - p, b = Vec2(ring[(k + 1) % ring.size()].head(2)) - p;
+    const Vec2 a = Vec2(ring[k].xy()) - p, b = Vec2(ring[(k + 1) % ring.size()].xy()) - p;
     turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
   }
   return std::abs(turned) > std::numbers::pi;
@@ -100,7 +100,7 @@ TEST(PlanPolygon, NeighboursShareNoPointAndMissNone) {
   for (int i = 0; i <= 400; ++i) {
     for (int j = 0; j <= 400; ++j) {
       const Vec2 p(0.025 * i, 0.025 * j);
-      EXPECT_EQ(int{a.contains(p)} + int{b.contains(p)}, i < 400 && j < 400 ? 1 : 0) << p.transpose();
+      EXPECT_EQ(int{a.contains(p)} + int{b.contains(p)}, i < 400 && j < 400 ? 1 : 0) << p;
     }
   }
 }
@@ -138,7 +138,7 @@ TEST(SelfCrossing, IsFoundAtItsPlace) {
   Dice dice(8);
   for (int round = 0; round < 50; ++round) {
     Points ring;
-    for (const Vec3& p : star(dice, {0, 0}, 10, 30)) ring.emplace_back(p.head(2));
+    for (const Vec3& p : star(dice, {0, 0}, 10, 30)) ring.emplace_back(p.xy());
     EXPECT_EQ(self_crossing(ring), std::nullopt);
     std::swap(ring[3], ring[12]);
     EXPECT_NE(self_crossing(ring), std::nullopt);
@@ -157,7 +157,7 @@ TEST(LineCrossing, IsFoundAtItsPlace) {
   Dice dice(9);
   for (int round = 0; round < 50; ++round) {
     Points line;
-    for (const Vec3& p : star(dice, {0, 0}, 10, 30)) line.emplace_back(p.head(2));
+    for (const Vec3& p : star(dice, {0, 0}, 10, 30)) line.emplace_back(p.xy());
     EXPECT_EQ(line_crossing(line), std::nullopt);
     std::swap(line[3], line[12]);
     EXPECT_NE(line_crossing(line), std::nullopt);
@@ -181,7 +181,7 @@ TEST(PointBuckets, VisitEveryPointOfABoxOnceAndFewOthers) {
     buckets.visit_near(low, high, [&](std::uint32_t k) { visited.insert(k); });
     std::size_t within = 0;
     for (std::uint32_t k = 0; k < points.size(); ++k) {
-      const bool is_in = (points[k].array() >= low.array()).all() && (points[k].array() <= high.array()).all();
+      const bool is_in = low.is_at_most(points[k]) && points[k].is_at_most(high);
       within += is_in ? 1 : 0;
       if (is_in) {
         EXPECT_EQ(visited.count(k), 1U);

@@ -35,7 +35,7 @@ std::string refusal(const std::vector<SpacePolygon>& polygons) {
 }
 
 Vec3 area_of(const RawMesh& mesh) {
-  Vec3 sum = Vec3::Zero();
+  Vec3 sum;
   for (const auto& [a, b, c] : mesh.triangles) {
     sum += 0.5 * (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
   }
@@ -62,8 +62,7 @@ TEST(PolygonMesh, ATriangleIsKept) {
 TEST(PolygonMesh, TriangulatesConcavePolygonsInAnyPlane) {
   Dice dice(41);
   for (int i = 0; i < 200; ++i) {
-    const Mat3 turn =
-        i % 4 == 0 ? Mat3(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitX()).toRotationMatrix()) : dice.turn();
+    const Map3 turn = i % 4 == 0 ? turn_about(unit_x, std::numbers::pi / 2) : dice.turn();
     const Vec3 move = dice.in_cube(1e4);
     const std::size_t corners = 3 + dice.below(60);
     std::vector<Vec3> ring;

@@ -309,7 +309,7 @@ TEST(SurveySurface, ReportsSpikesAndRemovesThemOnRequest) {
   EXPECT_EQ(kept.report.outliers.count, 1U);  // the two adjacent ones mask each other
   EXPECT_NEAR(kept.report.largest_departure_m, 12, 0.2);
   ASSERT_TRUE(kept.report.largest_departure_at);
-  EXPECT_EQ(kept.report.largest_departure_at->head<2>(), Vec2(20, 20));
+  EXPECT_EQ(kept.report.largest_departure_at->xy(), Vec2(20, 20));
 
   const SurveySurface cleaned = surface_of(survey, {.remove_spikes_m = 1});
   EXPECT_EQ(cleaned.report.removed_spikes.count, 3U);

@@ -49,7 +49,7 @@ TEST(ExactGrid, MovesOtherCoordinatesByHalfAStepAtMost) {
     const GridPoint p = grid.snapped(at.x(), at.y());
     EXPECT_GE(std::min(p.x, p.y), 0);
     EXPECT_LE(std::max(p.x, p.y), grid_end);
-    EXPECT_LE((grid.place(p) - at).cwiseAbs().maxCoeff(), grid.spacing_m() / 2);
+    EXPECT_LE((grid.place(p) - at).abs().largest(), grid.spacing_m() / 2);
     EXPECT_LE(grid.spacing_m(), std::max(0x1p-20, 2.001 * width * 0x1p-30));
     EXPECT_EQ(grid.snapped(grid.place(p).x(), grid.place(p).y()), p);
   }

@@ -39,7 +39,7 @@ class GroundPolygons : public GisProject {
   /// The material at the centre of a cell, between four nodes, in metres from the corner of the raster.
   static std::uint32_t material_at(const Model& model, double x, double y) {
     const auto& surface = std::get<RasterSurface>(*model.surface);
-    const Vec2 local = Vec2(west + x, south + y) - Vec2(model.frame.origin.head(2));
+    const Vec2 local = Vec2(west + x, south + y) - Vec2(model.frame.origin.xy());
     const auto column = static_cast<std::uint32_t>((local.x() - surface.grid().x0) / cell);
     const auto row = static_cast<std::uint32_t>((local.y() - surface.grid().y0) / cell);
     return model.ground.material_of(row * (columns - 1) + column).index;

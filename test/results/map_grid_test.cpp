@@ -26,7 +26,7 @@ std::vector<Stay> stays(const MapGrid& grid, const PathPiece& piece) {
 }
 
 PathPiece piece_of(const Vec3& p, const Vec3& v, const Vec3& a, double duration) {
-  return {{p, v, a}, duration, 0, Vec3::Zero(), false};
+  return {{p, v, a}, duration, 0, Vec3{}, false};
 }
 
 TEST(MapGrid, HasBordersAtMultiplesOfTheCellInUserCoordinates) {
@@ -90,11 +90,11 @@ TEST(MapWalk, DoesNotVisitCellsThatAreOnlyTouched) {
       const MapCell ahead{x > 0 ? 4 : 3, y > 0 ? 7 : 6};
       for (const double beside : {0.0, 1e-15, -1e-15, 1e-10, -1e-10}) {
         const Vec3 corner(4 + beside, 7 - beside, 0), way(0.5 * x, 0.3 * y, 0);
-        const auto from_it = stays(grid, piece_of(corner, way, Vec3::Zero(), 1));
+        const auto from_it = stays(grid, piece_of(corner, way, Vec3{}, 1));
         ASSERT_EQ(from_it.size(), 1U) << x << ' ' << y << ' ' << beside;
         EXPECT_EQ(from_it[0].cell, ahead);
         EXPECT_EQ(from_it[0].enter, 0);
-        const auto to_it = stays(grid, piece_of(corner + way, -way, Vec3::Zero(), 1));
+        const auto to_it = stays(grid, piece_of(corner + way, -way, Vec3{}, 1));
         ASSERT_EQ(to_it.size(), 1U) << x << ' ' << y << ' ' << beside;
         EXPECT_EQ(to_it[0].cell, ahead);
         EXPECT_EQ(to_it[0].leave, 1);
@@ -140,12 +140,11 @@ TEST(MapWalk, AgreesWithDenseSampling) {
     const MapGrid grid =
         trial % 3 == 0 ? MapGrid::around_nodes(low, sides, frame) : MapGrid::at_multiples(sides.x(), frame, low);
     const bool flies = dice.chance(0.4);
-    Vec3 v = dice.in_cube(8), a = flies ? Vec3(0, 0, -9.81) : Vec3(dice.in_cube(6));
-    if (dice.chance(0.1)) v.setZero();
+    Vec3 v = dice.in_cube(8), a = flies ? Vec3(0, 0, -9.81) : dice.in_cube(6);
+    if (dice.chance(0.1)) v = {};
     if (dice.chance(0.1)) v.x() = 0;
     if (dice.chance(0.1)) a.y() = 0;
-    if (dice.chance(0.2))
-      a.head<2>() = -dice.between(0.2, 2) * v.head<2>();  // decelerated: comes back on its own track
+    if (dice.chance(0.2)) a = Vec3(-dice.between(0.2, 2) * v.xy(), a.z());  // decelerated: comes back on its own track
     Vec3 p = dice.in_cube(30);
     if (dice.chance(0.2)) p.x() = grid.border(0, grid.index(0, p.x()));  // starts on a border
     const PathPiece piece = piece_of(p, v, a, dice.magnitude(1e-3, 4));

@@ -46,7 +46,7 @@ Seen rock_of(std::vector<PathPiece> pieces, EndReason reason = EndReason::at_res
   return seen;
 }
 
-PathPiece flight(const Vec3& p, const Vec3& v, double duration, const Vec3& spin = Vec3::Zero()) {
+PathPiece flight(const Vec3& p, const Vec3& v, double duration, const Vec3& spin = Vec3{}) {
   return {{p, v, {0, 0, -10}}, duration, 0, spin, false};
 }
 
@@ -132,7 +132,7 @@ TEST(Maps, MeasureHeightAboveTheGroundBelow) {
 
 TEST(Maps, HaveTheHeightOfTheLowestPointOfARockOnTheGround) {
   PathPiece leg = flight({0.5, 0.5, 0.7}, {1, 0, 0}, 1);
-  leg.path.a = Vec3::Zero();
+  leg.path.a = Vec3{};
   leg.on_ground = true;
   leg.ends = {leg.path.v, leg.path.v, leg.spin};
   EXPECT_EQ(tally_at(maps_of({rock_of({leg})}), {0, 0})->maximum(bounce_height), 0);
@@ -196,7 +196,7 @@ std::map<Place, Kept> keep_everything(const std::vector<Seen>& rocks) {
         for (const double t : {enter, leave, std::clamp(piece.path.v.z() / 10, enter, leave)}) {
           const double speed = piece.path.velocity(t).norm();
           const double translational = 0.5 * body.mass * speed * speed;
-          const double values[] = {translational + 0.5 * body.inertia * piece.spin.squaredNorm(), translational, speed,
+          const double values[] = {translational + 0.5 * body.inertia * piece.spin.squared_norm(), translational, speed,
                                    piece.path.z(t)};
           for (std::size_t k = 0; k < map_quantity_count; ++k) greatest[k] = std::max(greatest[k], values[k]);
         }

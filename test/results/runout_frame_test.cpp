@@ -28,9 +28,9 @@ TEST(RunoutFrame, FromAPointIsTheDistanceFromIt) {
 
 void expect_place(const RunoutFrame& frame, const Vec2& place, double runout, double lateral) {
   const RunoutPlace found = frame.of({0, 0}, place);
-  EXPECT_NEAR(found.runout, runout, 1e-12) << place.transpose();
+  EXPECT_NEAR(found.runout, runout, 1e-12) << place;
   ASSERT_TRUE(found.lateral);
-  EXPECT_NEAR(*found.lateral, lateral, 1e-12) << place.transpose();
+  EXPECT_NEAR(*found.lateral, lateral, 1e-12) << place;
 }
 
 TEST(RunoutFrame, AlongALineIsTheChainageOfTheNearestPoint) {

@@ -71,7 +71,7 @@ TEST(Summary, CountsReasonsEventsAndLiftedRocks) {
 TEST(Summary, KeepsTheLowestNumberOfALostRockInAnyOrder) {
   SummaryObserver observer(3, 0, {});
   for (const std::uint64_t rock : {9, 4, 6}) {
-    Seen seen = ended_at(Vec3::Zero(), Vec3::Zero(), rock == 9 ? EndReason::at_rest : EndReason::lost);
+    Seen seen = ended_at(Vec3{}, Vec3{}, rock == 9 ? EndReason::at_rest : EndReason::lost);
     seen.record.rock = rock;
     const auto part = observer.new_part();
     part->see(seen.record, seen.log);
@@ -119,7 +119,7 @@ TEST(Summary, NotesThatManyRocksLeftTheModel) {
 }
 
 TEST(Summary, CountsHitsOnABarrierAndTheirRocks) {
-  Seen twice = ended_at(Vec3::Zero(), Vec3::Zero()), over = twice;
+  Seen twice = ended_at(Vec3{}, Vec3{}), over = twice;
   const Rock& rock = twice.record.body;
   for (const double speed : {4.0, 10.0}) {
     BarrierHit hit;

@@ -46,8 +46,8 @@ TEST(FallLine, UnderAnOverhangIsThatOfTheFloor) {
 
 TEST(FallLine, IsEastOnLevelGroundAndOffTheTerrain) {
   const Profile level(std::vector<Vec2>{{0, 3}, {10, 3}});
-  EXPECT_EQ(fall_line(level, {5, 0, 4}), Vec3::UnitX());
-  EXPECT_EQ(fall_line(level, {50, 0, 4}), Vec3::UnitX());
+  EXPECT_EQ(fall_line(level, {5, 0, 4}), unit_x);
+  EXPECT_EQ(fall_line(level, {50, 0, 4}), unit_x);
 }
 
 }  // namespace

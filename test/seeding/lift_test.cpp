@@ -110,7 +110,7 @@ void expect_none_in_the_rock(const Surface& surface, double y, Dice& dice) {
       EXPECT_EQ(start.z, open.z());
       ++caught;
     } else {
-      ASSERT_GE(distance_from(surface, centre), radius - 2e-9) << place.transpose() << " r " << radius;
+      ASSERT_GE(distance_from(surface, centre), radius - 2e-9) << place << " r " << radius;
       moved += start.z < open.z() ? 1 : 0;
     }
   }

@@ -59,7 +59,7 @@ TEST(PlaceOf, ACellIsAPlaceInItWithItsMiddle) {
       ASSERT_GT(start.point.y(), south);
       ASSERT_LT(start.point.y(), south + 2);
       if (place == PlaceInCell::centre) {
-        ASSERT_EQ(start.point.head(2), *start.middle);
+        ASSERT_EQ(start.point.xy(), *start.middle);
       }
     }
   }

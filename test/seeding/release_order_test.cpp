@@ -118,7 +118,7 @@ Seeder square(std::uint64_t rocks) {
 }
 
 Vec2 place_in(const Seeder& seeder, std::uint64_t seed, std::uint64_t rock) {
-  return place_of(seeder, {seed, {}, seeder.first_rock, seeder.rocks}, rock).point.head<2>();
+  return place_of(seeder, {seed, {}, seeder.first_rock, seeder.rocks}, rock).point.xy();
 }
 
 // 500 rocks on 10,000 cells: in each of 100 squares between 2 and 9 rocks where 5 are due, for the whole run; and in

@@ -37,7 +37,7 @@ ReleaseTable some_rows(std::size_t count, std::size_t each_source = 1000) {
 }
 
 /// Of the only rock of a row.
-Release release_of_row(const Seeder& seeder, std::size_t row, const Vec3& direction = Vec3::UnitX()) {
+Release release_of_row(const Seeder& seeder, std::size_t row, const Vec3& direction = unit_x) {
   const ReleaseOrder order = release_order(seeder, 1);
   std::uint64_t rock = 0;
   while (std::get<ReleaseTable>(*seeder.where).row_at(order.place_of(rock)) != row) ++rock;
@@ -94,9 +94,9 @@ TEST(ReleaseTables, KeepWhatEachRowGives) {
   ReleaseRow first, third;
   first.mass = 70;
   third.velocity = {1, 2, 3};
-  table.add(Vec3::Zero(), first, {}, 1);
-  table.add(Vec3::Zero(), {}, {}, 2);
-  table.add(Vec3::Zero(), third, {}, 3);
+  table.add(Vec3{}, first, {}, 1);
+  table.add(Vec3{}, {}, {}, 2);
+  table.add(Vec3{}, third, {}, 3);
   EXPECT_EQ(table.given(0).mass, 70);
   EXPECT_FALSE(ReleaseRow::has(table.given(0).velocity));
   EXPECT_FALSE(ReleaseRow::has(table.given(1).mass));
@@ -122,7 +122,7 @@ TEST(ReleaseTables, ReplaceTheSettingsOfTheSeeder) {
 }
 
 TEST(ReleaseTables, LeaveTheRestToTheSeeder) {
-  const Release release = release_of_row(seeder_of(some_rows(1), 1), 0, Vec3::UnitY());
+  const Release release = release_of_row(seeder_of(some_rows(1), 1), 0, unit_y);
   EXPECT_EQ(release.rock.mass, 500);
   EXPECT_DOUBLE_EQ(release.rock.radius, sphere_of_mass(500, 2500).radius);
   EXPECT_EQ(release.motion.velocity, Vec3(0, 3, -1));
@@ -137,12 +137,12 @@ TEST(ReleaseTables, GiveVolumesAndPartsOfVelocities) {
   speed.speed = 10;
   roll.velocity = {0, -5, 0};
   roll.spin = 4;
-  for (const ReleaseRow& row : {volume, horizontal, speed, roll}) table.add(Vec3::Zero(), row, {}, 1);
+  for (const ReleaseRow& row : {volume, horizontal, speed, roll}) table.add(Vec3{}, row, {}, 1);
   const Seeder seeder = seeder_of(std::move(table), 4);
   const Vec3 down = Vec3(0.6, 0, -0.8);
   EXPECT_EQ(release_of_row(seeder, 0).rock.mass, 5000);
   EXPECT_EQ(release_of_row(seeder, 1, down).motion.velocity, Vec3(8, 0, -1));
-  EXPECT_EQ(release_of_row(seeder, 2, down).motion.velocity, Vec3(10 * down));
+  EXPECT_EQ(release_of_row(seeder, 2, down).motion.velocity, 10 * down);
   // It rolls the way it moves, towards -y: about +x.
   EXPECT_EQ(release_of_row(seeder, 3, down).motion.spin, Vec3(4, 0, 0));
 }
@@ -152,8 +152,8 @@ TEST(ReleaseTables, PrecedeTheSpeedOfTheSeeder) {
   ReleaseTable table;
   ReleaseRow vertical;
   vertical.vertical = 6;
-  table.add(Vec3::Zero(), vertical, {}, 1);
-  table.add(Vec3::Zero(), {}, {}, 2);
+  table.add(Vec3{}, vertical, {}, 1);
+  table.add(Vec3{}, {}, {}, 2);
   Seeder seeder = seeder_of(std::move(table), 2);
   seeder.speed = Sampler(20.0);
   seeder.horizontal = Sampler(0.0);

@@ -164,17 +164,17 @@ TEST(ReleaseAt, PositiveSpinRollsForwards) {
   const Motion motion = release_of(seeder).motion;
   EXPECT_NEAR(motion.spin.norm(), 3, 1e-15);
   // The top of the rock moves forwards.
-  EXPECT_GT(motion.spin.cross(Vec3::UnitZ()).dot(*seeder.direction), 2.9);
+  EXPECT_GT(motion.spin.cross(unit_z).dot(*seeder.direction), 2.9);
 }
 
 TEST(ReleaseAt, ADropStraightDownHasAHeading) {
   Seeder seeder = point_seeder();
-  seeder.direction = -Vec3::UnitZ();
+  seeder.direction = -unit_z;
   seeder.speed = Sampler(4.0);
   seeder.spin = Sampler(1.0);
   const Motion motion = release_of(seeder).motion;
   EXPECT_EQ(motion.velocity, Vec3(0, 0, -4));
-  EXPECT_TRUE(motion.spin.allFinite());
+  EXPECT_TRUE(motion.spin.is_finite());
   EXPECT_NEAR(motion.spin.norm(), 1, 1e-15);
 }
 

@@ -20,7 +20,7 @@ const Vec3 downhill(std::cos(slope), 0, -std::sin(slope));
 const Footing footing = Footing::on_plane(gravity, normal);
 
 struct State {
-  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
+  Vec3 position, velocity, spin;
   double time = 0;
 };
 
@@ -63,7 +63,7 @@ const double c_sliding = standard_gravity * (std::sin(slope) - mu * std::cos(slo
 TEST(GroundDrag, TheVelocityOfASlideIsTheClosedForm) {
   for (const double rate : {0.01, 0.3, 0.9, 5.0, 80.0}) {
     for (const double v0 : {0.5, 12.0}) {
-      const State start{Vec3::Zero(), v0 * downhill, {1, 2, 3}, 0};
+      const State start{Vec3{}, v0 * downhill, {1, 2, 3}, 0};
       const Exact expected = exact(c_sliding, rate, v0, 3);
       const State a = go(stepped, start, rate, 0.01, 3), b = go(closed, start, rate, 0.01, 3);
       EXPECT_NEAR(a.velocity.dot(downhill), expected.speed, 1e-12 * (1 + v0)) << rate;
@@ -75,7 +75,7 @@ TEST(GroundDrag, TheVelocityOfASlideIsTheClosedForm) {
 
 // The stepped law moves with the velocity at the end of the step: first order. The closed form is second order.
 TEST(GroundDrag, TheDistanceOfASlideConverges) {
-  const State start{Vec3::Zero(), 12 * downhill, Vec3::Zero(), 0};
+  const State start{Vec3{}, 12 * downhill, Vec3{}, 0};
   const Exact expected = exact(c_sliding, 0.9, 12, 3);
   const auto error = [&](const auto& law, double timestep) {
     return std::abs(go(law, start, 0.9, timestep, 3).position.dot(downhill) - expected.way);
@@ -86,7 +86,7 @@ TEST(GroundDrag, TheDistanceOfASlideConverges) {
 }
 
 TEST(GroundDrag, TerminalSpeedDownAPlane) {
-  const State a = go(closed, {Vec3::Zero(), 30 * downhill, Vec3::Zero(), 0}, 0.5, 0.01, 80);
+  const State a = go(closed, {Vec3{}, 30 * downhill, Vec3{}, 0}, 0.5, 0.01, 80);
   EXPECT_NEAR(a.velocity.dot(downhill), c_sliding / 0.5, 1e-11);
 }
 
@@ -94,7 +94,7 @@ TEST(GroundDrag, TerminalSpeedDownAPlane) {
 TEST(GroundDrag, StopsInTheTimeAndDistanceOfTheClosedForm) {
   const double k = 0.7, v0 = 8, c = standard_gravity * (std::sin(slope) + mu * std::cos(slope));
   const double time = std::log1p(k * v0 / c) / k, way = v0 / k - c / (k * k) * std::log1p(k * v0 / c);
-  const State start{Vec3::Zero(), -v0 * downhill, Vec3::Zero(), 0};
+  const State start{Vec3{}, -v0 * downhill, Vec3{}, 0};
   const State a = go(stepped, start, k, 0.001, 10), b = go(closed, start, k, 0.001, 10);
   EXPECT_EQ(b.velocity.norm(), 0);
   EXPECT_NEAR(b.time, time, 1e-6);
@@ -111,7 +111,7 @@ TEST(GroundDrag, ARollingSphereIsBrakedByFiveSevenths) {
     return rolling_leg(s.position, s.velocity, s.spin, normal, f, rock, friction, dt);
   };
   const double v0 = 6, rate = 0.8;
-  State start{Vec3::Zero(), v0 * downhill, Vec3::Zero(), 0};
+  State start{Vec3{}, v0 * downhill, Vec3{}, 0};
   start.spin = rolling_spin(start.velocity, start.spin, normal, rock.radius);
   const double c = 5.0 / 7 * standard_gravity * (std::sin(slope) - friction.rolling * std::cos(slope));
   const Exact expected = exact(c, 5.0 / 7 * rate, v0, 2);
@@ -123,10 +123,10 @@ TEST(GroundDrag, ARollingSphereIsBrakedByFiveSevenths) {
 
 TEST(GroundDrag, NeverReversesTheMotion) {
   for (const double rate : {1.0, 50.0, 1e4}) {
-    State state{Vec3::Zero(), Vec3(3, 2, 0), Vec3::Zero(), 0};
-    const Footing level = Footing::on_plane(gravity, Vec3::UnitZ());
+    State state{Vec3{}, Vec3(3, 2, 0), Vec3{}, 0};
+    const Footing level = Footing::on_plane(gravity, unit_z);
     for (int k = 0; k < 200 && state.velocity.norm() > 1e-9; ++k) {
-      const double step = dragged_timestep(rate, 0.01, Vec3::Zero(), state.velocity);
+      const double step = dragged_timestep(rate, 0.01, Vec3{}, state.velocity);
       const Leg leg = stepped_leg(state.position, state.velocity, state.spin,
                                   dragged(level, state.velocity, rate, step, 1), 0.2, step);
       EXPECT_LE(leg.end_velocity.norm(), state.velocity.norm());

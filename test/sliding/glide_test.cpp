@@ -49,7 +49,7 @@ TEST(Glide, StepsLikeASlide) {
   for (int k = 0; k < 2000; ++k) {
     Glide glide = random_glide(dice);
     const Footing footing{{glide.gain / laws.timestep, 0, 0}, 1};
-    const Leg leg = stepped_leg({glide.x, glide.y, 0}, {glide.vx, glide.vy, 0}, Vec3::Zero(), footing,
+    const Leg leg = stepped_leg({glide.x, glide.y, 0}, {glide.vx, glide.vy, 0}, Vec3{}, footing,
                                 glide.braking / laws.timestep, laws.timestep);
     if (!try_step(laws, glide)) continue;
     ++steps;

@@ -17,7 +17,7 @@ const Rock rock = sphere_of_diameter(1.0, 2700);
 Vec3 normal_of_slope(double angle) { return {std::sin(angle), 0, std::cos(angle)}; }
 
 struct State {
-  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
+  Vec3 position, velocity, spin;
   double time = 0;
 };
 
@@ -63,7 +63,7 @@ TEST(Rolling, SlipsIfFrictionIsTooSmall) {
 // A sphere on level ground without spin: it slips for 2 v0 / (7 mu g) and then rolls with 5/7 of its speed.
 TEST(Rolling, BeginsAfterSlipping) {
   const double v0 = 6, mu = 0.3, t = 2 * v0 / (7 * mu * standard_gravity);
-  const Vec3 n = Vec3::UnitZ();
+  const Vec3 n = unit_z;
   State state;
   state.velocity = {v0, 0, 0};
   const State end = roll(state, n, {mu, 0}, 0.01, t);
@@ -80,11 +80,11 @@ TEST(Rolling, ComesToRestByItsResistance) {
   state.velocity = {3, 0, 0};
   state.spin = {0, 3 / rock.radius, 0};
   const double a = 5.0 / 7 * 0.1 * standard_gravity;
-  const State end = roll(state, Vec3::UnitZ(), {0.6, 0.1}, 0.01, 100);
+  const State end = roll(state, unit_z, {0.6, 0.1}, 0.01, 100);
   EXPECT_NEAR(end.time, 3 / a, 1e-9);
   EXPECT_NEAR(end.position.x(), 9 / (2 * a), 1e-9);
-  EXPECT_EQ(end.velocity, Vec3::Zero());
-  EXPECT_LT(tangential(end.spin, Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_EQ(end.velocity, Vec3{});
+  EXPECT_LT(tangential(end.spin, unit_z).norm(), 1e-9);
 }
 
 // Resistance holds a slow sphere but does not drive it, for any length of the step.
@@ -93,8 +93,7 @@ TEST(Rolling, IsNotPushedUphillByItsResistance) {
   for (const double speed : {0.0, 1e-12, 1e-10, 1e-9, 1e-6}) {
     for (const double way : {1.0, -1.0}) {
       const Vec3 velocity = way * speed * down;
-      const State end =
-          roll({Vec3::Zero(), velocity, rolling_spin(velocity, Vec3::Zero(), n, rock.radius)}, n, {0.8, 0.5}, 1, 5);
+      const State end = roll({Vec3{}, velocity, rolling_spin(velocity, Vec3{}, n, rock.radius)}, n, {0.8, 0.5}, 1, 5);
       EXPECT_LT(end.position.norm(), 5e-6) << speed;
       EXPECT_LE(end.velocity.norm(), speed);
     }
@@ -105,7 +104,7 @@ TEST(Rolling, KeepsTheSpinAboutTheNormal) {
   State state;
   state.velocity = {3, 0, 0};
   state.spin = {0, 3 / rock.radius, 5};
-  EXPECT_NEAR(roll(state, Vec3::UnitZ(), {0.6, 0.1}, 0.01, 1).spin.z(), 5, 1e-12);
+  EXPECT_NEAR(roll(state, unit_z, {0.6, 0.1}, 0.01, 1).spin.z(), 5, 1e-12);
 }
 
 TEST(Rolling, HoldsByTheSmallerFriction) {
@@ -118,16 +117,16 @@ TEST(Rolling, HoldsByTheSmallerFriction) {
 // Friction little above and below what rolling needs, and a pull across the motion: slip is slow and turns quickly.
 TEST(Rolling, DoesNotAmplifyRounding) {
   Dice dice(64);
-  const Vec3 n = Vec3::UnitZ();
+  const Vec3 n = unit_z;
   constexpr double disturbance = 1e-12;
   double largest = 0;
   for (int i = 0; i < 200; ++i) {
     const double heading = dice.between(0, 3), mu = dice.between(0.3, 0.7), normal = dice.between(1, 8);
     const Footing footing{4.5 * dice.between(0.5, 1) * mu * normal * Vec3(std::cos(heading), std::sin(heading), 0),
                           normal};
-    const Vec3 velocity(1.8, 0, 0), spin = rolling_spin(velocity, Vec3::Zero(), n, rock.radius) + dice.in_cube(0.1);
+    const Vec3 velocity(1.8, 0, 0), spin = rolling_spin(velocity, Vec3{}, n, rock.radius) + dice.in_cube(0.1);
     const auto end_from = [&](const Vec3& start) {
-      State state{Vec3::Zero(), start, spin};
+      State state{Vec3{}, start, spin};
       while (state.time < 1) {
         const Leg leg =
             rolling_leg(state.position, state.velocity, state.spin, n, footing, rock, ContactFriction{mu, 0.1}, 0.01);
@@ -146,7 +145,7 @@ TEST(Rolling, EnergyNeverRises) {
   for (int i = 0; i < 100'000; ++i) {
     Vec3 n = dice.direction();
     n.z() = std::abs(n.z()) + 1e-3;
-    n.normalize();
+    n = n.normalized();
     const Footing footing = Footing::on_plane(gravity, n);
     const Rock r = sphere_of_diameter(dice.magnitude(0.05, 5), 2700);
     const ContactFriction friction{dice.magnitude(0.01, 3), dice.chance(0.2) ? 0.0 : dice.magnitude(1e-3, 1)};
@@ -155,15 +154,15 @@ TEST(Rolling, EnergyNeverRises) {
     Vec3 w = dice.direction();
     w *= dice.magnitude(1e-6, 30) / r.radius;
     if (dice.chance(0.5)) w = rolling_spin(v, w, n, r.radius);
-    const Leg leg = rolling_leg(Vec3::Zero(), v, w, n, footing, r, friction, dt);
+    const Leg leg = rolling_leg(Vec3{}, v, w, n, footing, r, friction, dt);
     const auto kinetic = [&](const Vec3& velocity, const Vec3& spin) {
-      return 0.5 * velocity.squaredNorm() + 0.5 * r.inertia / r.mass * spin.squaredNorm();
+      return 0.5 * velocity.squared_norm() + 0.5 * r.inertia / r.mass * spin.squared_norm();
     };
     const double before = kinetic(v, w);
     const double after = kinetic(leg.end_velocity, leg.end_spin) - gravity.dot(leg.path.at(leg.duration));
     ASSERT_LE(after, before + 1e-12 * (1 + before))
-        << i << " n " << n.transpose() << " mu " << friction.dynamic << " rolling " << friction.rolling << " dt " << dt
-        << " v " << v.transpose() << " w r " << w.transpose() * r.radius << " duration " << leg.duration;
+        << i << " n " << n << " mu " << friction.dynamic << " rolling " << friction.rolling << " dt " << dt << " v "
+        << v << " w r " << w * r.radius << " duration " << leg.duration;
   }
 }
 

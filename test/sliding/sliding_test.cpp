@@ -20,7 +20,7 @@ const Vec3 gravity(0, 0, -standard_gravity);
 Vec3 normal_of_slope(double angle) { return {std::sin(angle), 0, std::cos(angle)}; }
 
 struct State {
-  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();
+  Vec3 position, velocity;
   double time = 0;
 };
 
@@ -30,7 +30,7 @@ Vec3 velocity_at(const Leg& leg, double t) { return t >= leg.duration ? leg.end_
 template <class Law>
 State slide(const Law& law, State state, const Footing& footing, double mu, double timestep, double longest) {
   while (state.time < longest * (1 - 1e-12)) {
-    const Leg leg = law(state.position, state.velocity, Vec3::Zero(), footing, mu, timestep);
+    const Leg leg = law(state.position, state.velocity, Vec3{}, footing, mu, timestep);
     const double t = std::min(leg.duration, longest - state.time);
     state.position = leg.path.at(t);
     state.velocity = velocity_at(leg, t);
@@ -48,10 +48,10 @@ TEST(ClosedForm, StopsAfterItsBrakingDistance) {
     const Vec3 downhill(std::cos(angle), 0, -std::sin(angle));
     const double mu = std::tan(0.6), v = 7;
     const double a = standard_gravity * (mu * std::cos(angle) - std::sin(angle));
-    const Leg leg = closed_form_leg(Vec3::Zero(), v * downhill, {1, 2, 3}, footing, mu, 0.01);
+    const Leg leg = closed_form_leg(Vec3{}, v * downhill, {1, 2, 3}, footing, mu, 0.01);
     EXPECT_NEAR(leg.duration, v / a, 1e-13);
     EXPECT_LT((leg.path.at(leg.duration) - v * v / (2 * a) * downhill).norm(), 1e-12);
-    EXPECT_EQ(leg.end_velocity, Vec3::Zero());
+    EXPECT_EQ(leg.end_velocity, Vec3{});
     EXPECT_EQ(leg.end_spin, Vec3(1, 2, 3));
   }
 }
@@ -63,11 +63,11 @@ TEST(ClosedForm, TurnsBackAsInTableB1) {
   const Footing footing = Footing::on_plane(gravity, {-along.z(), 0, along.x()});
   const double mu = std::tan(std::numbers::pi / 6);
   const Leg leg =
-      closed_form_leg({73.054, 0, 45.162}, Vec3(1.4293, 0, 0.94004).norm() * along, Vec3::Zero(), footing, mu, 0.01);
+      closed_form_leg({73.054, 0, 45.162}, Vec3(1.4293, 0, 0.94004).norm() * along, Vec3{}, footing, mu, 0.01);
   EXPECT_NEAR(0.36199 + leg.duration, 0.53105, 2e-5);
   EXPECT_LT((leg.path.at(leg.duration) - Vec3(73.174, 0, 45.241)).norm(), 1e-3);
   EXPECT_FALSE(holds(footing, mu));
-  const Leg back = closed_form_leg(leg.path.at(leg.duration), Vec3::Zero(), Vec3::Zero(), footing, mu, 0.01);
+  const Leg back = closed_form_leg(leg.path.at(leg.duration), Vec3{}, Vec3{}, footing, mu, 0.01);
   const double distance = (leg.path.at(leg.duration) - Vec3(50, 0, 30)).norm();
   const double t = std::sqrt(2 * distance / back.path.a.norm());
   EXPECT_NEAR(t, 9.18066, 0.01);
@@ -77,7 +77,7 @@ TEST(ClosedForm, TurnsBackAsInTableB1) {
 TEST(ClosedForm, StartsARockAtRestAlongThePull) {
   const double angle = 0.7;
   const Footing footing = Footing::on_plane(gravity, normal_of_slope(angle));
-  const Leg leg = closed_form_leg(Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), footing, 0.5, 0.01);
+  const Leg leg = closed_form_leg(Vec3{}, Vec3{}, Vec3{}, footing, 0.5, 0.01);
   const double a = standard_gravity * (std::sin(angle) - 0.5 * std::cos(angle));
   EXPECT_TRUE(std::isinf(leg.duration));
   EXPECT_LT((leg.path.a - a * Vec3(std::cos(angle), 0, -std::sin(angle))).norm(), 1e-14);
@@ -109,7 +109,7 @@ TEST(ClosedForm, ObliqueConvergesToTheHodographAtSecondOrder) {
   const Vec3 exact = speed(psi) * (std::cos(psi) * down + std::sin(psi) * across);
   const Vec3 start = v0 * (std::cos(psi0) * down + std::sin(psi0) * across);
   const auto error = [&](double timestep) {
-    return (slide(closed_form_leg, {Vec3::Zero(), start, 0}, footing, mu, timestep, end).velocity - exact).norm();
+    return (slide(closed_form_leg, {Vec3{}, start, 0}, footing, mu, timestep, end).velocity - exact).norm();
   };
   const double coarse = error(0.02), middle = error(0.01), fine = error(0.005);
   EXPECT_LT(coarse, 2e-3);
@@ -127,14 +127,14 @@ TEST(ClosedForm, ObliqueComesToRest) {
     const Footing footing = Footing::on_plane(gravity, n);
     State state;
     state.velocity = dice.between(0.01, 10) * tangential(dice.direction(), n).normalized();
-    double energy = 0.5 * state.velocity.squaredNorm();
+    double energy = 0.5 * state.velocity.squared_norm();
     int legs = 0;
     while (state.velocity.norm() > 1e-9) {
-      const Leg leg = closed_form_leg(state.position, state.velocity, Vec3::Zero(), footing, mu, 0.01);
+      const Leg leg = closed_form_leg(state.position, state.velocity, Vec3{}, footing, mu, 0.01);
       ASSERT_TRUE(std::isfinite(leg.duration));
       state.position = leg.path.at(leg.duration);
       state.velocity = leg.end_velocity;
-      const double now = 0.5 * state.velocity.squaredNorm() - gravity.dot(state.position);
+      const double now = 0.5 * state.velocity.squared_norm() - gravity.dot(state.position);
       ASSERT_LE(now, energy + 1e-12);
       energy = now;
       ASSERT_LT(++legs, 50'000) << "angle " << angle << " mu " << mu << " still at " << state.velocity.norm();
@@ -150,7 +150,7 @@ TEST(Stepped, ConvergesToTheClosedFormAtFirstOrder) {
   const Vec3 downhill(std::cos(angle), 0, -std::sin(angle));
   const double a = standard_gravity * (mu * std::cos(angle) - std::sin(angle)), distance = v * v / (2 * a);
   const auto error = [&](double timestep) {
-    const State end = slide(stepped_leg, {Vec3::Zero(), v * downhill, 0}, footing, mu, timestep, 1e3);
+    const State end = slide(stepped_leg, {Vec3{}, v * downhill, 0}, footing, mu, timestep, 1e3);
     EXPECT_NEAR(end.time, v / a, 1e-9);
     return end.position.norm() - distance;
   };
@@ -181,11 +181,11 @@ TEST(Stepped, TurnsBackAsInTableB2) {
 }
 
 TEST(Stepped, TheLastStepHasNoDisplacement) {
-  const Footing footing = Footing::on_plane(gravity, Vec3::UnitZ());
+  const Footing footing = Footing::on_plane(gravity, unit_z);
   const Leg leg = stepped_leg({1, 2, 3}, {0.01, 0, 0}, {4, 5, 6}, footing, 0.5, 0.01);
   EXPECT_DOUBLE_EQ(leg.duration, 0.01 / (0.5 * standard_gravity));
   EXPECT_EQ(leg.path.at(leg.duration), Vec3(1, 2, 3));
-  EXPECT_EQ(leg.end_velocity, Vec3::Zero());
+  EXPECT_EQ(leg.end_velocity, Vec3{});
   EXPECT_EQ(leg.end_spin, Vec3(4, 5, 6));
 }
 
@@ -208,21 +208,20 @@ TEST(Sliding, EnergyNeverRises) {
   for (int i = 0; i < 100'000; ++i) {
     Vec3 n = dice.direction();
     n.z() = std::abs(n.z()) + 1e-3;
-    n.normalize();
+    n = n.normalized();
     const Footing footing = Footing::on_plane(gravity, n);
     const double mu = dice.chance(0.1) ? 0.0 : dice.magnitude(1e-3, 10), dt = dice.magnitude(1e-4, 0.1);
-    Vec3 v = Vec3::Zero();
+    Vec3 v;
     if (dice.chance(0.95)) v = dice.magnitude(1e-9, 30) * tangential(dice.direction(), n).normalized();
     const bool stands = v.norm() == 0 && holds(footing, mu);
     if (stands) continue;
-    const double before = 0.5 * v.squaredNorm();
+    const double before = 0.5 * v.squared_norm();
     for (const bool is_stepped : {true, false}) {
-      const Leg leg = (is_stepped ? stepped_leg : closed_form_leg)(Vec3::Zero(), v, Vec3::Zero(), footing, mu, dt);
+      const Leg leg = (is_stepped ? stepped_leg : closed_form_leg)(Vec3{}, v, Vec3{}, footing, mu, dt);
       const double t = std::isfinite(leg.duration) ? leg.duration : dice.magnitude(1e-3, 10);
-      const double after = 0.5 * velocity_at(leg, t).squaredNorm() - gravity.dot(leg.path.at(t));
+      const double after = 0.5 * velocity_at(leg, t).squared_norm() - gravity.dot(leg.path.at(t));
       ASSERT_LE(after, before + 1e-12 * (1 + before + leg.path.at(t).norm() * 10))
-          << (is_stepped ? "stepped" : "closed form") << " n " << n.transpose() << " mu " << mu << " dt " << dt << " v "
-          << v.transpose();
+          << (is_stepped ? "stepped" : "closed form") << " n " << n << " mu " << mu << " dt " << dt << " v " << v;
       ASSERT_LT(std::abs(leg.path.at(t).dot(n)), 1e-11 * (1 + leg.path.at(t).norm()));
     }
   }

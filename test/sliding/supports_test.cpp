@@ -85,8 +85,8 @@ TEST(CaughtBetween, AppliesInAValleyNotOnARidge) {
   EXPECT_NEAR(std::abs(valley->direction.y()), 1, 1e-14);
   EXPECT_LT(valley->footing.pull.norm(), 1e-12);
   // A rock that leaves the first side faster than the cutoff is not caught.
-  const Vec3 up_the_second = right.cross(Vec3::UnitY());
-  const Vec3 away = up_the_second.dot(left) > 0 ? up_the_second : Vec3(-up_the_second);
+  const Vec3 up_the_second = right.cross(unit_y);
+  const Vec3 away = up_the_second.dot(left) > 0 ? up_the_second : -up_the_second;
   EXPECT_FALSE(caught_between(gravity, left, right, 0.2 * away, 0.1));
   EXPECT_TRUE(caught_between(gravity, left, right, 0.05 * away, 0.1));
 }
@@ -104,7 +104,7 @@ TEST(CaughtBetween, SharesTheLoadBetweenTheSides) {
 TEST(CaughtBetween, DoesNotApplyIfOneSideLeadsAway) {
   // Both sides fall in the same direction: the rock slides off the first over the second.
   EXPECT_FALSE(caught_between(gravity, Vec3(1, 0, 2).normalized(), Vec3(1, 0, 1).normalized(), {0, 0, 0}, 0.1));
-  EXPECT_FALSE(caught_between(gravity, Vec3::UnitZ(), Vec3::UnitZ(), {0, 0, 0}, 0.1));
+  EXPECT_FALSE(caught_between(gravity, unit_z, unit_z, {0, 0, 0}, 0.1));
 }
 
 }  // namespace

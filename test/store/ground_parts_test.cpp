@@ -39,7 +39,7 @@ TEST(GroundParts, ConstantAccelerationIsOnePart) {
 
 TEST(GroundParts, ASlideInStepsKeepsItsEnds) {
   // Each step moves with the velocity of its end, so that places lie ahead of constant acceleration.
-  std::vector<Motion> motions{{Vec3::Zero(), Vec3(1, 0, 0), Vec3::Zero(), 0}};
+  std::vector<Motion> motions{{Vec3{}, Vec3(1, 0, 0), Vec3{}, 0}};
   for (int k = 1; k <= 1000; ++k) {
     Motion next = motions.back();
     next.velocity.x() += 0.03;
@@ -57,7 +57,7 @@ TEST(GroundParts, ACurveHasFewParts) {
   const auto circle = [](double t) {
     const double angle = 0.5 * t;
     return Motion{10 * Vec3(std::cos(angle), std::sin(angle), 0), 5 * Vec3(-std::sin(angle), std::cos(angle), 0),
-                  Vec3::Zero(), t};
+                  Vec3{}, t};
   };
   const auto motions = motions_of(circle, 10, 1000);
   const auto ends = parts_of(motions);
@@ -71,16 +71,16 @@ TEST(GroundParts, ACurveHasFewParts) {
 TEST(GroundParts, ABendEndsAPart) {
   const auto bend = [](double t) {
     const Vec3 before(4, 0, 0), after(3, 1, 0);
-    return Motion{std::min(t, 1.0) * before + std::max(0.0, t - 1) * after, t <= 1 ? before : after, Vec3::Zero(), t};
+    return Motion{std::min(t, 1.0) * before + std::max(0.0, t - 1) * after, t <= 1 ? before : after, Vec3{}, t};
   };
   std::vector<Motion> motions = motions_of(bend, 2, 200);
   EXPECT_EQ(parts_of(motions), (std::vector<std::size_t>{100, 101, 200}));
 }
 
 TEST(GroundParts, MotionsAtTheSameTimeArePartsOfTheirOwn) {
-  const std::vector<Motion> motions{{Vec3::Zero(), Vec3(1, 0, 0), Vec3::Zero(), 1},
-                                    {Vec3::Zero(), Vec3(0, 1, 0), Vec3::Zero(), 1},
-                                    {Vec3(0, 1, 0), Vec3(0, 1, 0), Vec3::Zero(), 2}};
+  const std::vector<Motion> motions{{Vec3{}, Vec3(1, 0, 0), Vec3{}, 1},
+                                    {Vec3{}, Vec3(0, 1, 0), Vec3{}, 1},
+                                    {Vec3(0, 1, 0), Vec3(0, 1, 0), Vec3{}, 2}};
   EXPECT_EQ(parts_of(motions), (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(ground_part(motions[0], motions[1]).duration, 0);
 }

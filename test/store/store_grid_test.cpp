@@ -60,7 +60,7 @@ TEST(StoreGrid, LinesHaveTheCellsOfAllTheirPoints) {
       ASSERT_TRUE(cells.has(cell_at(grid, near)));
     }
     if (reach > 0) continue;
-    grid.add_box({from.cwiseMin(to), from.cwiseMax(to)}, box);
+    grid.add_box({from.min(to), from.max(to)}, box);
     cells_of_lines += count_of(cells);
     cells_of_boxes += count_of(box);
   }
@@ -80,7 +80,7 @@ TEST(StoreGrid, PiecesHaveTheCellsOfTheirWay) {
     CellSet cells(grid.count());
     grid.add_piece(piece, cells);
     for (int k = 0; k <= 100; ++k) {
-      const Vec2 place = piece.path.at(piece.duration * k / 100).head(2);
+      const Vec2 place = piece.path.at(piece.duration * k / 100).xy();
       ASSERT_TRUE(cells.has(cell_at(grid, place)));
     }
   }

@@ -6,7 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "talus/core/vec.hpp"
+#include "support/maps_of_space.hpp"
+#include "support/print_vec.hpp"
 
 namespace talus::testing_tools {
 
@@ -28,7 +29,10 @@ class Dice {
     return {r * std::cos(angle), r * std::sin(angle), z};
   }
   /// A rotation by a random angle about a random axis.
-  Mat3 turn() { return Eigen::AngleAxisd(between(0, 2 * std::numbers::pi), direction()).toRotationMatrix(); }
+  Map3 turn() {
+    const double angle = between(0, 2 * std::numbers::pi);
+    return turn_about(direction(), angle);
+  }
 
  private:
   std::mt19937_64 engine_;

@@ -23,7 +23,7 @@ struct LasSpec {
   int format = 0;  // of the points
   int extra_bytes = 0;
   double scale = 0.01;
-  Vec3 offset = Vec3::Zero();
+  Vec3 offset;
   std::vector<LasPoint> points;
   std::vector<std::array<std::uint16_t, 2>> geo_keys;  // key and value
   std::string wkt;
@@ -54,7 +54,7 @@ class LasBytes {
       const std::size_t at = bytes_.size();
       bytes_.resize(at + length);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<Eigen::Index>(axis);
+        const auto i = axis;
         put(at + 4 * axis, static_cast<std::int32_t>(std::lround((point.at[i] - spec.offset[i]) / spec.scale)));
       }
       const bool is_new = (spec.format & 63) >= 6;
@@ -77,7 +77,7 @@ class LasBytes {
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       put(131 + 8 * axis, spec.scale);
-      put(155 + 8 * axis, spec.offset[static_cast<Eigen::Index>(axis)]);
+      put(155 + 8 * axis, spec.offset[axis]);
     }
   }
 

@@ -133,13 +133,13 @@ template <class Height>
     }
     shape.triangles = std::move(finer);
   }
-  for (Vec3& v : shape.vertices) v.normalize();
+  for (Vec3& v : shape.vertices) v = v.normalized();
   return shape;
 }
 
 /// A closed body, star-shaped about the origin: an icosphere with randomly scaled vertices.
 [[nodiscard]] inline Shape random_boulder(Dice& dice, int levels, double radius, double noise) {
-  return icosphere(levels).moved([&](const Vec3& v) { return Vec3(radius * (1 + dice.between(-noise, noise)) * v); });
+  return icosphere(levels).moved([&](const Vec3& v) { return radius * (1 + dice.between(-noise, noise)) * v; });
 }
 
 /// The box between two corners, two triangles a side, facing outwards.

@@ -60,7 +60,7 @@ inline void expect_sound(const CleanMesh& mesh) {
 
 /// A random TIN: a grid of n by n cells with jittered vertices and random heights, wound to face up (vertices move by
 /// less than a quarter of a cell, so no triangle can turn over).
-[[nodiscard]] inline RawMesh random_tin(std::uint32_t n, std::mt19937_64& random, const Vec3& origin = Vec3::Zero()) {
+[[nodiscard]] inline RawMesh random_tin(std::uint32_t n, std::mt19937_64& random, const Vec3& origin = Vec3{}) {
   std::uniform_real_distribution<double> jitter{-0.2, 0.2};
   RawMesh mesh;
   for (std::uint32_t y = 0; y <= n; ++y) {

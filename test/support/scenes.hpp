@@ -67,7 +67,7 @@ template <class Surface>
 }
 
 [[nodiscard]] inline double kinetic_energy(const Motion& motion, const Rock& rock) {
-  return 0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
+  return 0.5 * rock.mass * motion.velocity.squared_norm() + 0.5 * rock.inertia * motion.spin.squared_norm();
 }
 
 /// Kinetic and potential [J]; the datum is the origin.
@@ -76,7 +76,7 @@ template <class Surface>
 }
 
 [[nodiscard]] inline bool is_finite(const Motion& motion) {
-  return motion.position.allFinite() && motion.velocity.allFinite() && motion.spin.allFinite() &&
+  return motion.position.is_finite() && motion.velocity.is_finite() && motion.spin.is_finite() &&
          std::isfinite(motion.time);
 }
 

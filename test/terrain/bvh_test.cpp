@@ -18,7 +18,7 @@ std::vector<Box> random_boxes(Dice& dice, std::size_t count) {
   for (Box& box : boxes) {
     const Vec3 middle = dice.in_cube(50);
     box.grow(middle);
-    if (dice.chance(0.8)) box.grow(Vec3(middle + dice.magnitude(1e-3, 5) * dice.in_cube(1)));
+    if (dice.chance(0.8)) box.grow(middle + dice.magnitude(1e-3, 5) * dice.in_cube(1));
   }
   return boxes;
 }
@@ -28,7 +28,7 @@ std::set<std::uint32_t> numbers(const Bvh& bvh, std::uint32_t first, std::uint32
 }
 
 bool overlap(const Box& a, const Vec3& low, const Vec3& high) {
-  return (a.low.array() <= high.array()).all() && (a.high.array() >= low.array()).all();
+  return a.low.is_at_most(high) && low.is_at_most(a.high);
 }
 
 TEST(Bvh, OrderIsAPermutation) {
@@ -45,9 +45,8 @@ TEST(Bvh, EmptyMeetsNothing) {
   const Bvh bvh(std::span<const Box>{});
   int leaves = 0;
   double t_max = 10;
-  bvh.visit_box(Vec3::Constant(-1e9), Vec3::Constant(1e9), [&](std::uint32_t, std::uint32_t) { ++leaves; });
-  bvh.visit_flight({Vec3::Zero(), Vec3::UnitX(), Vec3::Zero()}, 1, t_max,
-                   [&](std::uint32_t, std::uint32_t, double&) { ++leaves; });
+  bvh.visit_box(Vec3::all(-1e9), Vec3::all(1e9), [&](std::uint32_t, std::uint32_t) { ++leaves; });
+  bvh.visit_flight({Vec3{}, unit_x, Vec3{}}, 1, t_max, [&](std::uint32_t, std::uint32_t, double&) { ++leaves; });
   EXPECT_EQ(leaves, 0);
 }
 
@@ -75,7 +74,7 @@ TEST(Bvh, VisitBoxMissesNothing) {
   for (int i = 0; i < 300; ++i) {
     Box query;
     query.grow(dice.in_cube(60));
-    query.grow(Vec3(query.low + dice.magnitude(0.1, 60) * Vec3(dice.unit(), dice.unit(), dice.unit())));
+    query.grow(query.low + dice.magnitude(0.1, 60) * Vec3(dice.unit(), dice.unit(), dice.unit()));
     std::set<std::uint32_t> met;
     std::size_t visited = 0;
     bvh.visit_box(query.low, query.high, [&](std::uint32_t first, std::uint32_t last) {
@@ -110,7 +109,7 @@ TEST(Bvh, VisitFlightMissesNothing) {
     for (int k = 0; k <= 400; ++k) {
       const Vec3 q = path.at(t_end * k / 400);
       for (std::uint32_t b = 0; b < boxes.size(); ++b) {
-        if (overlap(boxes[b], q - Vec3::Constant(0.999 * pad), q + Vec3::Constant(0.999 * pad))) {
+        if (overlap(boxes[b], q - Vec3::all(0.999 * pad), q + Vec3::all(0.999 * pad))) {
           ASSERT_TRUE(met.contains(b));
         }
       }
@@ -154,7 +153,7 @@ TEST(FlightSlabs, TheWindowOfABoxContainsEveryTimeNearIt) {
     for (int k = 0; k <= 200; ++k) {
       const double t = t_max * k / 200;
       const Vec3 q = path.at(t);
-      const bool is_near = (q.array() >= box.low.array() - pad).all() && (q.array() <= box.high.array() + pad).all();
+      const bool is_near = (box.low - Vec3::all(pad)).is_at_most(q) && q.is_at_most(box.high + Vec3::all(pad));
       if (!is_near) continue;
       ++near;
       ASSERT_GE(t, window.enter - 1e-12);

@@ -39,7 +39,7 @@ Tried roll_about(const Surface& surface, Dice& dice, double radius) {
     tried.clear += way > 0.9 * room ? 1 : 0;
     for (int k = 0; k < 20; ++k) {
       const Vec3 direction = tangential(dice.direction(), n).normalized();
-      const Parabola leg{centre, way * direction, Vec3::Zero()};
+      const Parabola leg{centre, way * direction, Vec3{}};
       const auto contact = surface.first_contact_on_leg(leg, radius, 1, SupportPlanes(n));
       EXPECT_FALSE(contact) << "trial " << trial << ", way " << way << ", contact at " << contact->t << ", feature "
                             << static_cast<int>(contact->feature);

@@ -30,7 +30,7 @@ TEST(GridWalk, VisitsTheCellsUnderAFlightAndNoneOutsideTheGrid) {
     if (dice.chance(0.2)) v = {dx, dice.chance(0.5) ? dy : -dy, 0};
     const double t_max = dice.chance(0.5) ? 1e6 : dice.between(0, 1);
 
-    GridWalk at({p, v, Vec3::Zero()}, t_max, x0, y0, dx, dy, columns, rows);
+    GridWalk at({p, v, Vec3{}}, t_max, x0, y0, dx, dy, columns, rows);
     walks += at.is_over() ? 0 : 1;
     double left_at = at.enter();
     std::int64_t column = at.column(), row = at.row();

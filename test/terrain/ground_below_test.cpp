@@ -18,7 +18,7 @@ void expect_agreement_with_elevations(const Surface& surface, Dice& dice, double
     const Vec3 place(dice.between(low, high), dice.between(low, high), dice.between(-top, top));
     const FacetId near{static_cast<std::uint32_t>(dice.below(surface.facet_count()))};
     const bool expected = surface.elevation(place.x(), place.y(), place.z()).has_value();
-    ASSERT_EQ(surface.has_ground_below(place, near), expected) << place.transpose() << ", facet " << near.index;
+    ASSERT_EQ(surface.has_ground_below(place, near), expected) << place << ", facet " << near.index;
     ++(expected ? over : off_terrain);
   }
   EXPECT_GT(over, 1000);

@@ -29,7 +29,7 @@ TEST(Profile, SegmentsOfTheTutorial) {
   EXPECT_EQ(profile.source(FacetId{3}), 3U);
   EXPECT_EQ(profile.bounds().low, Vec3(0, 0, -25));
   EXPECT_EQ(profile.bounds().high, Vec3(26, 0, 0));
-  EXPECT_LT((profile.normal(FacetId{1}) - Vec3::UnitZ()).norm(), 1e-15);
+  EXPECT_LT((profile.normal(FacetId{1}) - unit_z).norm(), 1e-15);
   const Outline outline = profile.outline(FacetId{2});
   EXPECT_EQ(outline.edge_count, 2);
   EXPECT_EQ(outline.edges[0].beyond, FacetId{1});

@@ -118,7 +118,7 @@ TEST(RasterSurface, HasTheContactsOfASphereOnTheMesh) {
         v -= 1.3 * v.dot(contact->normal) * contact->normal;
         const Parabola next{path.at(contact->t), v, path.a};
         expect_same(ground.raster.first_contact(next, radius, 100), ground.mesh.first_contact(next, radius, 100));
-        const Parabola leg{path.at(contact->t), tangential(v, contact->normal), Vec3::Zero()};
+        const Parabola leg{path.at(contact->t), tangential(v, contact->normal), Vec3{}};
         const SupportPlanes on(contact->normal);
         expect_same(ground.raster.first_contact_on_leg(leg, radius, 0.1, on),
                     ground.mesh.first_contact_on_leg(leg, radius, 0.1, on));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,6 +18,8 @@ namespace {
 using namespace testing_tools;
 using Long3 = Eigen::Matrix<long double, 3, 1>;
 
+Long3 precise(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
 const Vec3 gravity(0, 0, -standard_gravity);
 
 // ---- contacts compared to brute force ----
@@ -30,11 +33,11 @@ struct Brute {
 };
 
 Brute point_by_brute_force(const Shape& shape, const Parabola& path) {
-  const Long3 p = path.p.cast<long double>(), v = path.v.cast<long double>(), a = path.a.cast<long double>();
+  const Long3 p = precise(path.p), v = precise(path.v), a = precise(path.a);
   Brute best;
   for (std::size_t i = 0; i < shape.triangles.size(); ++i) {
     Long3 corner[3];
-    for (std::size_t k = 0; k < 3; ++k) corner[k] = shape.vertices[shape.triangles[i][k]].cast<long double>();
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = precise(shape.vertices[shape.triangles[i][k]]);
     const Long3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]).normalized();
     const long double h = n.dot(p - corner[0]), vn = n.dot(v), an = n.dot(a), d = vn * vn - 2 * an * h;
     if (d < 0) continue;
@@ -68,7 +71,7 @@ double distance_to_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const V
   for (int k = 0; k < 3; ++k) {
     const Vec3 side = corner[(k + 1) % 3] - corner[k];
     inside = inside && n.dot(side.cross(p - corner[k])) >= 0;
-    const double s = std::clamp((p - corner[k]).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    const double s = std::clamp((p - corner[k]).dot(side) / side.squared_norm(), 0.0, 1.0);
     least = std::min(least, (p - corner[k] - s * side).norm());
   }
   return inside ? std::abs(n.dot(p - a)) : least;
@@ -193,7 +196,7 @@ TEST(TriangleMesh, OutlinesHaveTheirNeighbours) {
     const Outline outline = mesh.outline({k});
     ASSERT_EQ(outline.edge_count, 3);
     const auto& corners = shape.triangles[mesh.source({k})];
-    Vec3 middle = Vec3::Zero();
+    Vec3 middle;
     for (const std::uint32_t v : corners) middle += shape.vertices[v] / 3;
     ASSERT_LT((outline.normal - shape.normal(mesh.source({k}))).norm(), 1e-12);
     for (const OutlineEdge& edge : outline.edges) {
@@ -355,15 +358,15 @@ TEST(TriangleMesh, DrapedFollowsTheGround) {
     const Vec2 from(dice.between(0, 30), dice.between(0, 30)), to(dice.between(0, 30), dice.between(0, 30));
     const auto line = mesh.draped(from, to);
     ASSERT_GE(line.size(), 2U);
-    ASSERT_LT((line.front().head<2>() - from).norm(), 1e-6);
-    ASSERT_LT((line.back().head<2>() - to).norm(), 1e-6);
+    ASSERT_LT((line.front().xy() - from).norm(), 1e-6);
+    ASSERT_LT((line.back().xy() - to).norm(), 1e-6);
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
       // The ground is straight between two bends.
       for (const double s : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const Vec3 q = line[k] + s * (line[k + 1] - line[k]);
         ASSERT_NEAR(*mesh.elevation(q.x(), q.y()), q.z(), 1e-6) << i << ' ' << k;
       }
-      ASSERT_GT((line[k + 1] - line[k]).head<2>().dot(to - from), 0);
+      ASSERT_GT((line[k + 1] - line[k]).xy().dot(to - from), 0);
     }
   }
 }

@@ -60,25 +60,25 @@ Body body_of(Shape shape, const Vec3& centre, double cube) {
 bool is_seen_from_its_cube(const Body& body) {
   for (std::size_t i = 0; i < body.shape.triangles.size(); ++i) {
     const Vec3 n = body.shape.normal(i), a = body.shape.vertices[body.shape.triangles[i][0]];
-    if (n.dot(a - body.centre) <= body.cube * n.lpNorm<1>()) return false;
+    if (n.dot(a - body.centre) <= body.cube * n.abs().sum()) return false;
   }
   return true;
 }
 
 Body random_body(Dice& dice, int number) {
   const double size = dice.magnitude(0.5, 200);
-  const Vec3 shift = number % 3 == 0 ? Vec3(Vec3::Zero()) : Vec3(dice.in_cube(50'000));
-  const auto placed = [&](const Shape& shape) { return shape.moved([&](const Vec3& v) { return Vec3(v + shift); }); };
+  const Vec3 shift = number % 3 == 0 ? Vec3{} : dice.in_cube(50'000);
+  const auto placed = [&](const Shape& shape) { return shape.moved([&](const Vec3& v) { return v + shift; }); };
   switch (number % 4) {
     case 0: {
       const Vec3 half = 0.5 * size * Vec3(dice.between(0.1, 1), dice.between(0.1, 1), dice.between(0.1, 1));
-      return body_of(placed(box(-half, half)), shift, 0.2 * half.minCoeff());
+      return body_of(placed(box(-half, half)), shift, 0.2 * std::min({half.x(), half.y(), half.z()}));
     }
     case 1: {  // stretched into slivers
       const Vec3 stretch(dice.magnitude(0.02, 20), dice.magnitude(0.02, 20), 1);
       const Shape shape =
-          random_boulder(dice, 2, 1.0, 0.05).moved([&](const Vec3& v) { return Vec3(size * v.cwiseProduct(stretch)); });
-      return body_of(placed(shape), shift, 0.1 * size * stretch.minCoeff());
+          random_boulder(dice, 2, 1.0, 0.05).moved([&](const Vec3& v) { return size * v.times(stretch); });
+      return body_of(placed(shape), shift, 0.1 * size * std::min({stretch.x(), stretch.y(), 1.0}));
     }
     default:
       return body_of(placed(random_boulder(dice, 1 + static_cast<int>(dice.below(3)), size, 0.06)), shift, 0.1 * size);
@@ -154,7 +154,7 @@ Field random_field(Dice& dice, int number) {
   field.shape = random_slope(dice, 24, field.width, grade, relief);
   if (number % 3 != 0) {
     const Vec3 shift = dice.in_cube(50'000);
-    field.shape = field.shape.moved([&](const Vec3& v) { return Vec3(v + shift); });
+    field.shape = field.shape.moved([&](const Vec3& v) { return v + shift; });
   }
   for (std::size_t i = 0; i < field.shape.triangles.size(); ++i) {
     const Vec3 n = field.shape.normal(i);

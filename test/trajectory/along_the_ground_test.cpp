@@ -187,8 +187,8 @@ TEST(Valley, ASphereSlipsIfFrictionIsTooSmall) {
     Laws laws = laws_of(RockModel::rigid_sphere);
     laws.max_time = 3;
     const Vec3 down(std::cos(dip), 0, -std::sin(dip)), up(std::sin(dip), 0, std::cos(dip));
-    const Followed path = follow(mesh, ground_of(soil), laws,
-                                 on_slope(2 * down + (rock.radius / std::cos(side) + 1e-4) * up, Vec3::Zero()));
+    const Followed path =
+        follow(mesh, ground_of(soil), laws, on_slope(2 * down + (rock.radius / std::cos(side) + 1e-4) * up, Vec3{}));
     ASSERT_EQ(path.outcome.reason, EndReason::maximum_time) << dip << ' ' << side << ' ' << mu;
     const double speed = path.outcome.end.velocity.dot(down);
     // It falls 0.1 mm first, which takes 5 ms of the 3 s.

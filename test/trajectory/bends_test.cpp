@@ -104,8 +104,8 @@ TEST(Bends, NeverAddEnergy) {
         double before = 1e300;
         for (const PathRow& row : path.log.rows) {
           const Motion& m = row.motion;
-          const double energy = small_sphere.mass * (0.5 * m.velocity.squaredNorm() + g * m.position.z()) +
-                                0.5 * small_sphere.inertia * m.spin.squaredNorm();
+          const double energy = small_sphere.mass * (0.5 * m.velocity.squared_norm() + g * m.position.z()) +
+                                0.5 * small_sphere.inertia * m.spin.squared_norm();
           EXPECT_LE(energy, before + 1e-6 * small_sphere.mass) << facets;
           before = energy;
         }

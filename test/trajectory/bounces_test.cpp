@@ -23,7 +23,7 @@ Laws plain_laws(RockModel model) {
   return laws;
 }
 
-Release dropped(const Vec3& position, const Vec3& velocity = Vec3::Zero()) { return {{position, velocity}, rock}; }
+Release dropped(const Vec3& position, const Vec3& velocity = Vec3{}) { return {{position, velocity}, rock}; }
 
 // Dropped from h, it bounces to Rn^2 h, Rn^4 h ... until it leaves the ground more slowly than the cutoff.
 TEST(Bounces, OfABallOnLevelGround) {

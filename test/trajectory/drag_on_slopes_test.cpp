@@ -35,7 +35,7 @@ std::vector<double> runouts(const TriangleMesh& mesh, const Ground& ground, Rock
     Laws laws;
     set_model(laws, model);
     const RockOutcome outcome = follow(mesh, ground, laws, release, {}, number).outcome;
-    list.push_back((outcome.end.position - outcome.start.position).head<2>().norm());
+    list.push_back((outcome.end.position - outcome.start.position).xy().norm());
   }
   std::sort(list.begin(), list.end());
   return list;

@@ -63,8 +63,8 @@ TEST(Forest, AFallInItIsTheClosedForm) {
   const Profile ground(level);
   for (const double mass : {40.0, 100.0, 1000.0, 50000.0}) {
     const Ground trees(grown_over({}, 500, 30));
-    const Release release = launched(mass, {0, 0, 29}, Vec3::Zero());
-    expect_arrival(arrival(follow(ground, trees, {}, release)), {500 / mass, release.motion.position, Vec3::Zero()}, 0);
+    const Release release = launched(mass, {0, 0, 29}, Vec3{});
+    expect_arrival(arrival(follow(ground, trees, {}, release)), {500 / mass, release.motion.position, Vec3{}}, 0);
   }
 }
 
@@ -204,8 +204,8 @@ TEST(Forest, IsInvariantUnderRotation) {
     set_model(laws, number % 2 == 0 ? RockModel::lumped_mass : RockModel::rigid_sphere);
     const double x = dice.between(10, 30), y = dice.between(10, 50);
     Release release = launched(dice.magnitude(50, 5000), {x, y, *mesh.elevation(x, y) + 5}, dice.in_cube(6));
-    const Mat3 turn = Eigen::AngleAxisd(dice.between(0, 2 * std::numbers::pi), Vec3::UnitZ()).toRotationMatrix();
-    const TriangleMesh turned = shape.moved([&](const Vec3& v) { return Vec3(turn * v); }).mesh();
+    const Map3 turn = turn_about(unit_z, dice.between(0, 2 * std::numbers::pi));
+    const TriangleMesh turned = shape.moved([&](const Vec3& v) { return turn * v; }).mesh();
     Release turned_release = release;
     turned_release.motion.position = turn * release.motion.position;
     turned_release.motion.velocity = turn * release.motion.velocity;

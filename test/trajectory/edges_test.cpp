@@ -65,7 +65,7 @@ TEST(OverAnEdge, ASphereTakesOffWhereItsWeightNoLongerTurnsIt) {
         const Motion& parts = take_off_of(path, -10);
         EXPECT_NEAR((parts.position.x() - 10) / r, sine, 0.012) << froude << ' ' << timestep;
         EXPECT_NEAR(parts.position.z() / r, cosine, 0.012) << froude << ' ' << timestep;
-        EXPECT_NEAR(parts.velocity.squaredNorm() / (g * r), cosine, 0.012) << froude << ' ' << timestep;
+        EXPECT_NEAR(parts.velocity.squared_norm() / (g * r), cosine, 0.012) << froude << ' ' << timestep;
         EXPECT_NEAR(parts.position.y(), y, 1e-9);
         // Its energy is constant, except for the potential energy of a step.
         EXPECT_NEAR(total_energy(parts, rock, {0, 0, -g}) / total_energy(start, rock, {0, 0, -g}), 1, 1e-9);
@@ -98,7 +98,7 @@ TEST(OverAnEdge, ASphereRollsOnOverTheNextFacet) {
       const Vec3 n(std::sin(first), 0, std::cos(first));
       const Vec3 down(std::cos(first), 0, -std::sin(first)), down2(std::cos(second), 0, -std::sin(second));
       const Vec3 edge(10, 0, -10 * std::tan(first));
-      const Motion start{edge - 0.1 * down + r * n, Vec3::Zero()};
+      const Motion start{edge - 0.1 * down + r * n, Vec3{}};
       Laws laws = laws_of_a_sphere(timestep);
       laws.max_time = 3;
       const Followed path = follow(slope, ground_of(gear()), laws, {start, rock});
@@ -136,7 +136,7 @@ TEST(OverAnEdge, ThePathDoesNotDependOnTheTimestep) {
     const double x = dice.between(3, 12), y = dice.between(10, 20);
     std::vector<Vec3> ends;
     for (const double timestep : {1e-3, 0.01, 1.0}) {
-      const Motion start{{x, y, *mesh.elevation(x, y) + 1.2 * rock.radius}, Vec3::Zero()};
+      const Motion start{{x, y, *mesh.elevation(x, y) + 1.2 * rock.radius}, Vec3{}};
       Laws laws = laws_of_a_sphere(timestep);
       laws.max_time = 2;
       ends.push_back(follow(mesh, ground_of(soil), laws, {start, rock}).outcome.end.position);

@@ -47,7 +47,7 @@ TEST(Flying, EndsOnAFacetWithoutNormalRestitution) {
   const RockState next = fly(*rock, Flying{});
   ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
   const OnFacet& state = std::get<OnFacet>(next);
-  EXPECT_EQ(state.on.normal, Vec3::UnitZ());
+  EXPECT_EQ(state.on.normal, unit_z);
   EXPECT_DOUBLE_EQ(state.friction.mu, std::tan(0.5));
   EXPECT_TRUE(std::holds_alternative<std::monostate>(state.side_contact));
   EXPECT_EQ(rock->motion.velocity.z(), 0);
@@ -72,7 +72,7 @@ TEST(Flying, AfterAHopMovesOnIfItOnlyGrazesTheGround) {
   }
 
   const Rock body = sphere_of_mass(1000, 2700);
-  const Vec3 rolling = Vec3::UnitZ().cross(Vec3(speed, 0, 0)) / body.radius;
+  const Vec3 rolling = unit_z.cross(Vec3(speed, 0, 0)) / body.radius;
   RockOn sphere(level(), {.rn = 0.5}, laws_of(RockModel::rigid_sphere), {{10, 0, body.radius}, velocity, rolling},
                 body);
   Flying rolled;

@@ -48,7 +48,7 @@ std::vector<Barrier> panel_at(double x, bool is_collector, double height) {
 TEST(Heights, OfBothModelsAreOfTheSameBlock) {
   for (const RockModel model : models) {
     const Laws laws = laws_of(model);
-    const Followed fall = follow(level(), ground_of({.rn = 0, .rt = 0}), laws, released(model, 5, 3, Vec3::Zero()));
+    const Followed fall = follow(level(), ground_of({.rn = 0, .rt = 0}), laws, released(model, 5, 3, Vec3{}));
     EXPECT_NEAR(fall.outcome.max_bounce, 3, 1e-12);
     const Followed along = follow(level(), ground_of({.rn = 0}), laws, released(model, 5, 0, {8, 0, 0}));
     EXPECT_GT(along.outcome.end.position.x(), 6);
@@ -61,7 +61,7 @@ TEST(Heights, OfASphereOnASlopeAreOfItsLowestPoint) {
   const double angle = 0.6;
   const Profile slope(std::vector<Vec2>{{0, 0}, {300 * std::cos(angle), -300 * std::sin(angle)}});
   const Laws laws = laws_of(RockModel::rigid_sphere);
-  Release release = released(RockModel::rigid_sphere, 0, 0, Vec3::Zero());
+  Release release = released(RockModel::rigid_sphere, 0, 0, Vec3{});
   release.motion.position =
       10 * Vec3(std::cos(angle), 0, -std::sin(angle)) + block.radius * Vec3(std::sin(angle), 0, std::cos(angle));
   const Followed path = follow(slope, ground_of({.rn = 0, .mu = 1, .rolling = 0}), laws, release);
@@ -102,7 +102,7 @@ TEST(Ways, AreFlownOrAlongTheGround) {
     Laws laws = laws_of(RockModel::lumped_mass);
     laws.sliding = method;
     const Followed fall =
-        follow(level(), ground_of({.rn = 0, .rt = 0}), laws, released(RockModel::lumped_mass, 5, 3, Vec3::Zero()));
+        follow(level(), ground_of({.rn = 0, .rt = 0}), laws, released(RockModel::lumped_mass, 5, 3, Vec3{}));
     EXPECT_NEAR(fall.log.ways.flown, 3, 1e-12);
     EXPECT_EQ(fall.log.ways.on_ground, 0);
     const Followed slide =

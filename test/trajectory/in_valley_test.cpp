@@ -46,7 +46,7 @@ InValley valley_at(const TriangleMesh& mesh, const Vec3& place, double mu) {
   });
   state.is_on_facet = true;
   state.friction.mu = mu;
-  state.valley = *caught_between({0, 0, -g}, state.other.normal, state.on.normal, Vec3::Zero(), 0.1);
+  state.valley = *caught_between({0, 0, -g}, state.other.normal, state.on.normal, Vec3{}, 0.1);
   return state;
 }
 
@@ -69,7 +69,7 @@ TEST(InValley, SlidesBetweenBothSides) {
   EXPECT_NEAR(rock->motion.position.x(), 5, 1e-9);
   EXPECT_NEAR(rock->motion.position.y(), 0, 1e-9);
   const double way = 4 * std::sqrt(1 + fall * fall);
-  EXPECT_NEAR(rock->motion.velocity.squaredNorm(), 4 + 2 * acceleration * way, 1e-8);
+  EXPECT_NEAR(rock->motion.velocity.squared_norm(), 4 + 2 * acceleration * way, 1e-8);
   EXPECT_NEAR(rock->motion.velocity.normalized().dot(along), 1, 1e-12);
 }
 

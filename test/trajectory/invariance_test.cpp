@@ -69,13 +69,13 @@ TEST(Invariance, UnderRotationAboutTheVertical) {
   for (int number = 0; number < 120; ++number) {
     const Launch it = random_launch(dice, mesh);
     const double angle = number < 12 ? number * std::numbers::pi / 6 : dice.between(0, 2 * std::numbers::pi);
-    const Mat3 turn = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
-    const TriangleMesh turned_mesh = shape.moved([&](const Vec3& v) { return Vec3(turn * v); }).mesh();
+    const Map3 turn = turn_about(unit_z, angle);
+    const TriangleMesh turned_mesh = shape.moved([&](const Vec3& v) { return turn * v; }).mesh();
     Release release = it.release;
     release.motion.position = turn * release.motion.position;
     release.motion.velocity = turn * release.motion.velocity;
     release.motion.spin = turn * release.motion.spin;
-    const auto carry = [&](const Vec3& v) { return Vec3(turn * v); };
+    const auto carry = [&](const Vec3& v) { return turn * v; };
     expect_alike(follow(mesh, ground_of(it.soil), it.laws, it.release),
                  follow(turned_mesh, ground_of(it.soil), it.laws, release), carry, carry, carry, 1e-12,
                  "rock " + std::to_string(number));
@@ -87,7 +87,7 @@ TEST(Invariance, UnderReflection) {
   Dice dice(92);
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
-  const Mat3 mirror = Vec3(-1, 1, 1).asDiagonal();
+  const Map3 mirror = mirror_across(unit_x);
   const TriangleMesh mirrored_mesh = shape.mirrored().mesh();
   for (int number = 0; number < 120; ++number) {
     const Launch it = random_launch(dice, mesh);
@@ -97,8 +97,8 @@ TEST(Invariance, UnderReflection) {
     release.motion.spin = -(mirror * release.motion.spin);
     expect_alike(
         follow(mesh, ground_of(it.soil), it.laws, it.release),
-        follow(mirrored_mesh, ground_of(it.soil), it.laws, release), [&](const Vec3& v) { return Vec3(mirror * v); },
-        [&](const Vec3& v) { return Vec3(mirror * v); }, [&](const Vec3& w) { return Vec3(-(mirror * w)); }, 1e-12,
+        follow(mirrored_mesh, ground_of(it.soil), it.laws, release), [&](const Vec3& v) { return mirror * v; },
+        [&](const Vec3& v) { return mirror * v; }, [&](const Vec3& w) { return -(mirror * w); }, 1e-12,
         "rock " + std::to_string(number));
     if (HasFatalFailure()) return;
   }
@@ -111,7 +111,7 @@ TEST(Invariance, UnderTranslationWithinTheLocalFrame) {
   const Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
   const TriangleMesh mesh = shape.mesh();
   const Vec3 shift(31'234.5, -27'890.25, 2'345.125);
-  const TriangleMesh moved_mesh = shape.moved([&](const Vec3& v) { return Vec3(v + shift); }).mesh();
+  const TriangleMesh moved_mesh = shape.moved([&](const Vec3& v) { return v + shift; }).mesh();
   for (int number = 0; number < 120; ++number) {
     const Launch it = random_launch(dice, mesh);
     Release release = it.release;
@@ -119,7 +119,7 @@ TEST(Invariance, UnderTranslationWithinTheLocalFrame) {
     const auto same = [](const Vec3& v) { return v; };
     expect_alike(
         follow(mesh, ground_of(it.soil), it.laws, it.release), follow(moved_mesh, ground_of(it.soil), it.laws, release),
-        [&](const Vec3& v) { return Vec3(v + shift); }, same, same, 1e-9, "rock " + std::to_string(number));
+        [&](const Vec3& v) { return v + shift; }, same, same, 1e-9, "rock " + std::to_string(number));
     if (HasFatalFailure()) return;
   }
 }
@@ -129,9 +129,9 @@ TEST(Invariance, CoordinatesOfMillionsOfMetresKeepTheirDigits) {
   Dice dice(94);
   const Vec3 origin(2'600'000, 1'200'000, 500);
   Shape shape = random_slope(dice, 20, 60, 0.8, 0.8);
-  for (Vec3& v : shape.vertices) v = (v * 1024).array().round() / 1024;
-  Shape global = shape.moved([&](const Vec3& v) { return Vec3(v + origin); });
-  const Shape local = global.moved([&](const Vec3& v) { return Vec3(v - origin); });
+  for (Vec3& v : shape.vertices) v = (v * 1024).rounded() / 1024;
+  Shape global = shape.moved([&](const Vec3& v) { return v + origin; });
+  const Shape local = global.moved([&](const Vec3& v) { return v - origin; });
   const TriangleMesh a = shape.mesh(), b = local.mesh();
   for (int number = 0; number < 40; ++number) {
     const Launch it = random_launch(dice, a);

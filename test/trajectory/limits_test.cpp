@@ -62,8 +62,8 @@ TEST(Limits, EndRocksThatReboundBetweenBarriersForEver) {
     release.rock = sphere_of_diameter(dice.between(0.2, 1.5), 2700);
     const double x = dice.between(15.5, 19);
     release.motion.position = {x, 20, *mesh.elevation(x, 20) + release.rock.radius * dice.between(1.3, 3)};
-    release.motion.velocity = dice.chance(0.2) ? Vec3(Vec3::Zero()) : Vec3(dice.in_cube(8));
-    release.motion.spin = dice.chance(0.3) ? Vec3(Vec3::Zero()) : Vec3(dice.in_cube(40));
+    release.motion.velocity = dice.chance(0.2) ? Vec3{} : dice.in_cube(8);
+    release.motion.spin = dice.chance(0.3) ? Vec3{} : dice.in_cube(40);
 
     // (With an endless trajectory this test would never end.)
     const Followed path = follow(mesh, ground_of(soil), laws, release, barriers);

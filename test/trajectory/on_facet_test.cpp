@@ -45,7 +45,7 @@ TEST(OnFacet, ASphereMovesALimitedNumberOfRadiiInOneStep) {
   const Rock pebble = sphere_of_diameter(0.005, 2700);
   const Vec3 n = profile.normal(FacetId{0});
   RockOn rock(profile, {.mu = 0.6}, laws_of(RockModel::rigid_sphere, 1e6),
-              {-40 * down + pebble.radius * n, Vec3::Zero()}, pebble);
+              {-40 * down + pebble.radius * n, Vec3{}}, pebble);
   OnFacet state{{n, FacetId{0}}, {.sphere = {0.6, 0.1}}, {}};
   for (int k = 0; k < 20; ++k) {
     const Vec3 before = rock->motion.position;
@@ -60,7 +60,7 @@ TEST(OnFacet, ASphereMovesALimitedNumberOfRadiiInOneStep) {
 TEST(OnFacet, ReachesTheEndWithTheSpeedFromEnergy) {
   const double way = 20, mu = 0.25;
   const Profile profile = bend(-2);
-  RockOn rock(profile, {}, closed_form(), {Vec3(-way * down), Vec3::Zero()});
+  RockOn rock(profile, {}, closed_form(), {Vec3(-way * down), Vec3{}});
   const RockState next = slide_to_the_bend(rock, profile, mu);
   const double speed = std::sqrt(2 * way * g * (0.6 - mu * 0.8));
   EXPECT_NEAR(rock->motion.velocity.dot(down), speed, 1e-9);
@@ -74,14 +74,14 @@ TEST(OnFacet, ReachesTheEndWithTheSpeedFromEnergy) {
 
 TEST(OnFacet, StrikesRisingGroundAndSlidesOnWithinAPlane) {
   const Profile rising = bend(0.5), straight = bend(-0.75);
-  RockOn strikes(rising, {.rn = 0.5, .rt = 1}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
+  RockOn strikes(rising, {.rn = 0.5, .rt = 1}, closed_form(), {Vec3(-20 * down), Vec3{}});
   const RockState flies = slide_to_the_bend(strikes, rising, 0.25);
   ASSERT_TRUE(std::holds_alternative<Flying>(flies));
   EXPECT_FALSE(std::get<Flying>(flies).ground);
   EXPECT_EQ(strikes->last_contact.with.facet, FacetId{1});
 
   // Within one plane and one material the leg continues past the vertex to the end of the model.
-  RockOn slides(straight, {}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
+  RockOn slides(straight, {}, closed_form(), {Vec3(-20 * down), Vec3{}});
   const RockState leaves = slide_to_the_bend(slides, straight, 0.25);
   ASSERT_TRUE(std::holds_alternative<Ended>(leaves));
   EXPECT_EQ(std::get<Ended>(leaves).reason, EndReason::left_model);
@@ -91,7 +91,7 @@ TEST(OnFacet, StrikesRisingGroundAndSlidesOnWithinAPlane) {
 TEST(OnFacet, RestsOnlyIfFrictionHoldsIt) {
   const Profile profile = bend(-2);
   for (const double mu : {0.74, 0.76}) {  // the slope is 0.75
-    RockOn rock(profile, {}, closed_form(), {Vec3(-20 * down), Vec3::Zero()});
+    RockOn rock(profile, {}, closed_form(), {Vec3(-20 * down), Vec3{}});
     OnFacet state = first_facet(profile, mu);
     const auto next = take_leg(*rock, state);
     ASSERT_TRUE(next);
@@ -106,7 +106,7 @@ TEST(OnFacet, ASphereRollsWithFiveSeventhsOfThePull) {
   const Rock ball = sphere_of_diameter(1, 2700);
   const Vec3 n = profile.normal(FacetId{0});
   RockOn rock(profile, {.mu = 10, .rolling = 0}, laws_of(RockModel::rigid_sphere),
-              {Vec3(-20 * down + ball.radius * n), Vec3::Zero()}, ball);
+              {Vec3(-20 * down + ball.radius * n), Vec3{}}, ball);
   OnFacet state{{n, FacetId{0}}, {.sphere = {10, 0}}, {}};
   ASSERT_FALSE(take_leg(*rock, state));
   const double speed = 0.01 * 5.0 / 7 * g * 0.6;
@@ -122,8 +122,8 @@ TEST(OnFacet, AFacetThatWasLeftOnlyLimitsTheNextLeg) {
   const Vec3 n = profile.normal(FacetId{0});
   RockOn rock(profile, {.mu = 10, .rolling = 0}, laws_of(RockModel::rigid_sphere),
               {Vec3(-20 * down + ball.radius * n), Vec3(5 * down)}, ball);
-  rock->motion.spin = rolling_spin(rock->motion.velocity, Vec3::Zero(), n, ball.radius);
-  OnFacet state{{n, FacetId{0}}, {.sphere = {10, 0}}, LeftFacet{Vec3::UnitX()}};
+  rock->motion.spin = rolling_spin(rock->motion.velocity, Vec3{}, n, ball.radius);
+  OnFacet state{{n, FacetId{0}}, {.sphere = {10, 0}}, LeftFacet{unit_x}};
   const Vec3 start = rock->motion.position;
   ASSERT_FALSE(take_leg(*rock, state));
   EXPECT_NEAR((rock->motion.position - start).norm(), tolerance::past_the_end, 1e-6);

@@ -26,7 +26,7 @@ Followed follow_pieces(const Surface& surface, const Soil& soil, const Laws& law
   return result;
 }
 
-Release start_at(const Vec3& position, const Vec3& velocity, const Vec3& spin = Vec3::Zero()) {
+Release start_at(const Vec3& position, const Vec3& velocity, const Vec3& spin = Vec3{}) {
   Release release;
   release.rock = sphere_of_mass(1000, 2700);
   release.motion.position = position;
@@ -46,7 +46,7 @@ TEST(PieceMaxima, TheMaximumEnergyOfARollingSphereIsAtTheEndOfItsLegs) {
   Laws laws;
   set_model(laws, RockModel::rigid_sphere);
   const Vec3 normal(0.5, 0, std::sqrt(0.75));
-  Release release = start_at(Vec3(10, 0, -10 / std::sqrt(3.0)), Vec3::Zero());
+  Release release = start_at(Vec3(10, 0, -10 / std::sqrt(3.0)), Vec3{});
   release.motion.position += release.rock.radius * normal;
   const Followed path = follow_pieces(slope, {.rn = 0, .mu = 10, .rolling = 0}, laws, release);
   std::size_t legs = 0;
@@ -73,7 +73,7 @@ TEST(PieceMaxima, IncludeTheSpeedAtTheStartOfASlide) {
                                       start_at({10, 0, 1}, {1, 0, 0}, {0, 30, 0}));
   const auto sliding = std::ranges::find(path.log.rows, PathState::sliding, &PathRow::state);
   ASSERT_NE(sliding, path.log.rows.end());
-  const double began = sliding->motion.velocity.squaredNorm();
+  const double began = sliding->motion.velocity.squared_norm();
   double greatest = 0;
   std::size_t glides = 0;
   for (const PathPiece& piece : every_piece(path.log)) {
@@ -172,7 +172,7 @@ TEST(PieceMaxima, HeightsOfAllPartsAreThoseOfEachAlone) {
   for (int trial = 0; trial < 500; ++trial) {
     PathPiece piece;
     piece.path = {{dice.between(-3, 33), dice.between(-3, 33), dice.between(3, 9)}, dice.in_cube(8), {0, 0, -9.81}};
-    if (dice.chance(0.1)) piece.path.v.head<2>().setZero();
+    if (dice.chance(0.1)) piece.path.v = {0, 0, piece.path.v.z()};
     piece.duration = dice.between(0.1, 2);
     std::vector<double> borders{0, piece.duration};
     for (std::size_t k = dice.below(20); k > 0; --k) borders.push_back(piece.duration * dice.unit());
@@ -194,7 +194,7 @@ TEST(PieceMaxima, HeightOfALegOverOneFacetIsThatOverTheSurface) {
     for (int trial = 0; trial < 4000; ++trial) {
       const double x = dice.between(0, size), y = dice.between(0, size);
       const Vec3 start(x, y, surface.elevation(x, y).value() + dice.between(0.1, 2));
-      const Parabola leg{start, dice.magnitude(1e-3, 3) * dice.direction(), Vec3::Zero()};
+      const Parabola leg{start, dice.magnitude(1e-3, 3) * dice.direction(), Vec3{}};
       const auto below = surface.ground_below(start);
       ASSERT_TRUE(below);
       const FacetId facet =
@@ -204,7 +204,7 @@ TEST(PieceMaxima, HeightOfALegOverOneFacetIsThatOverTheSurface) {
       const double from = dice.between(0, 0.5), to = dice.between(0.5, 1);
       over_one += height_over(outline, leg.at(from)) && height_over(outline, leg.at(to)) ? 1 : 0;
       const double found = max_height_of_leg(surface, outline, leg, 1, from, to, known);
-      const double expected = surface.max_height({leg.at(from), leg.v, Vec3::Zero()}, to - from, known);
+      const double expected = surface.max_height({leg.at(from), leg.v, Vec3{}}, to - from, known);
       ASSERT_NEAR(found, expected, 1e-9) << trial;
     }
   };
@@ -222,7 +222,7 @@ TEST(PieceMaxima, HeightOfALegAboveARoofIsMeasuredFromTheRoof) {
   shape.vertices.insert(shape.vertices.end(), {{0, 0, 0}, {20, 0, 0}, {0, 20, 0}});
   shape.triangles.push_back({first, first + 1, first + 2});
   const TriangleMesh mesh = shape.mesh();
-  const Parabola leg{{4.5, 5, 4}, {1, 0, 0}, Vec3::Zero()};
+  const Parabola leg{{4.5, 5, 4}, {1, 0, 0}, Vec3{}};
   const auto floor = mesh.ground_below({1, 1, 1});
   ASSERT_TRUE(floor);
   EXPECT_NEAR(max_height_of_leg(mesh, mesh.outline(floor->facet), leg, 1, 0, 1, 0), 2.5, 1e-9);

@@ -26,7 +26,7 @@ struct Gully {
     const double angle = eighth * std::numbers::pi / 4;
     return {std::cos(angle), std::sin(angle)};
   }
-  [[nodiscard]] double way(const Vec3& p) const { return along().dot(p.head<2>()); }
+  [[nodiscard]] double way(const Vec3& p) const { return along().dot(p.xy()); }
   [[nodiscard]] double height(double x, double y) const {
     const Vec2 d = along();
     return side * std::abs(d.x() * y - d.y() * x) - fall * (d.x() * x + d.y() * y);

@@ -82,7 +82,7 @@ TEST(SlightBends, OfAHollowHaveTheFrictionOfItsNormalForce) {
   const double sine = 6 * g * radius * mu / (1 + 4 * mu * mu);
   for (const SlidingMethod sliding : both_methods) {
     const Followed path = slide(section, mu, sliding, speed);
-    const double at_start = sliding_from(path).squaredNorm() - cosine * std::cos(steep) - sine * std::sin(steep);
+    const double at_start = sliding_from(path).squared_norm() - cosine * std::cos(steep) - sine * std::sin(steep);
     const double expected = std::sqrt(at_start * std::exp(-2 * mu * steep) + cosine);
     // For facets of 0.02 m and steps of 1 ms: three thousandths.
     EXPECT_NEAR(path.outcome.end.velocity.norm(), expected, 0.003 * expected);
@@ -99,7 +99,7 @@ TEST(SlightBends, OfACrestReleaseTheRockWhereItsParabolaLeavesTheGround) {
   }
   for (const SlidingMethod sliding : both_methods) {
     const Followed path = slide(section, 0, sliding, speed);
-    const double expected = std::acos((sliding_from(path).squaredNorm() / (g * radius) + 2) / 3);
+    const double expected = std::acos((sliding_from(path).squared_norm() / (g * radius) + 2) / 3);
     const auto& rows = path.log.rows;
     const auto leap = std::adjacent_find(rows.begin(), rows.end(), [](const auto& row, const auto& next) {
       return row.state == PathState::projectile && next.motion.time - row.motion.time > 0.1;

@@ -90,7 +90,7 @@ TEST(Standstill, OfASphereThatSpinsIsNoRest) {
   soil.rolling = 0.1;
   const double spin = 20;
   const Followed path = follow(rising(0), ground_of(soil), laws_of(RockModel::rigid_sphere, 0.001),
-                               {{{0, 0, rock.radius}, Vec3::Zero(), {0, spin, 0}}, rock});
+                               {{{0, 0, rock.radius}, Vec3{}, {0, spin, 0}}, rock});
   EXPECT_EQ(path.outcome.reason, EndReason::at_rest);
   // While slipping, it accelerates with mu g; its spin decreases by 5/2 (mu + mu_r) g / r. Then it rolls, with 5/7 mu_r
   // g of deceleration.
@@ -148,7 +148,7 @@ TEST(Roughness, AlsoTiltsTheGroundUnderAVerticalFall) {
   laws.in_section = true;
   int aside = 0;
   for (std::uint64_t k = 0; k < 50; ++k) {
-    const Followed path = follow(rising(0), ground_of(soil), laws, {{{0, 0, 5}, Vec3::Zero()}, rock}, {}, k);
+    const Followed path = follow(rising(0), ground_of(soil), laws, {{{0, 0, 5}, Vec3{}}, rock}, {}, k);
     ASSERT_GT(path.log.rows.size(), 2U);
     const Vec3& after = path.log.rows[2].motion.velocity;
     aside += after.x() != 0 ? 1 : 0;

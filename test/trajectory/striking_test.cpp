@@ -48,7 +48,7 @@ TEST(Striking, LeavesTheGroundOnlyAboveTheCutoff) {
 
 TEST(Striking, ASecondContactInOnePlaceIsAValleyIfGravityHoldsTheRock) {
   const std::array normals{vee().normal(FacetId{0}), vee().normal(FacetId{1})};
-  RockOn rock(vee(), {.rn = 0}, laws_of(RockModel::lumped_mass), {Vec3::Zero(), Vec3(0, 0, -1)});
+  RockOn rock(vee(), {.rn = 0}, laws_of(RockModel::lumped_mass), {Vec3{}, Vec3(0, 0, -1)});
   ASSERT_TRUE(std::holds_alternative<OnFacet>(strike(*rock, on_facet(vee(), 0))));
   rock->motion.velocity = Vec3(0, 2, -1);
   const RockState next = strike(*rock, on_facet(vee(), 1));
@@ -60,7 +60,7 @@ TEST(Striking, ASecondContactInOnePlaceIsAValleyIfGravityHoldsTheRock) {
   EXPECT_NEAR(std::abs(state.valley.direction.y()), 1, 1e-15);
   // Each side carries half: N = g / (2 cos 45).
   EXPECT_NEAR(state.valley.footing.normal_acceleration, standard_gravity * std::sqrt(2.0), 1e-12);
-  EXPECT_NEAR(rock->motion.velocity.head<1>()[0], 0, 1e-15);
+  EXPECT_NEAR(rock->motion.velocity.x(), 0, 1e-15);
   EXPECT_NEAR(rock->motion.velocity.z(), 0, 1e-15);
 }
 
@@ -71,7 +71,7 @@ TEST(Striking, ARidgeCarriesASlowSphere) {
     const double speed = std::sqrt(froude * standard_gravity * ball.radius);
     RockOn rock(roof(), {.rn = 0, .rt = 1, .mu = 0}, laws_of(RockModel::rigid_sphere),
                 {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)}, ball);
-    const RockState next = strike(*rock, {0, Vec3::UnitZ(), FacetId{0}, Feature::vertex});
+    const RockState next = strike(*rock, {0, unit_z, FacetId{0}, Feature::vertex});
     EXPECT_EQ(std::holds_alternative<OnEdge>(next), froude < 1) << froude;
     EXPECT_EQ(std::holds_alternative<Flying>(next), froude > 1) << froude;
   }

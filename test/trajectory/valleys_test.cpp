@@ -58,7 +58,7 @@ struct Channel {
   }
 };
 
-Motion at_rest_in(const Channel& channel, double x) { return {{x, 0, channel.height(x, 0)}, Vec3::Zero()}; }
+Motion at_rest_in(const Channel& channel, double x) { return {{x, 0, channel.height(x, 0)}, Vec3{}}; }
 
 Soil slippery(double mu) {
   Soil soil;
@@ -73,7 +73,7 @@ Ground two_grounds(const Surface& surface, double first, double second, const Is
   std::vector<std::uint8_t> of_facet(surface.facet_count());
   for (std::uint32_t k = 0; k < surface.facet_count(); ++k) {
     const Outline outline = surface.outline(FacetId{k});
-    Vec3 middle = Vec3::Zero();
+    Vec3 middle;
     for (int e = 0; e < 3; ++e) middle += outline.edges[static_cast<std::size_t>(e)].point / 3;
     of_facet[surface.source(FacetId{k})] = is_second(middle) ? 1 : 0;
   }
@@ -93,7 +93,7 @@ TEST(Valleys, OnARasterAreSlidThroughToTheirEnd) {
         laws.grazing = grazing * std::numbers::pi / 180;
         const double start = 0.4 * channel.cell,
                      length = 39.6 * channel.cell * std::sqrt(1 + channel.fall * channel.fall);
-        const Motion at_rest{{start, 0, *surface.elevation(start, 0)}, Vec3::Zero()};
+        const Motion at_rest{{start, 0, *surface.elevation(start, 0)}, Vec3{}};
         const Followed path = follow(surface, ground_of(slippery(mu)), laws, {at_rest, sphere_of_diameter(1.0, 2700)});
         ASSERT_EQ(path.outcome.reason, EndReason::left_model) << channel.cell;
         const double speed = std::sqrt(2 * (channel.pull() - 2 * mu * channel.pressure()) * length);
@@ -204,7 +204,7 @@ TEST(Valleys, AStepHoldsASphereOnlyUpToItsEnd) {
   const Rock rock = sphere_of_diameter(1.0, 2700);
   Laws laws;
   set_model(laws, RockModel::rigid_sphere);
-  const Followed path = follow(surface, ground_of(soil), laws, {{at(0, 0.55, 0.53), Vec3::Zero(), Vec3::Zero()}, rock});
+  const Followed path = follow(surface, ground_of(soil), laws, {{at(0, 0.55, 0.53), Vec3{}, Vec3{}}, rock});
   double held = 0;
   for (const PathPiece& piece : path.log.pieces) {
     const Vec3& p = piece.path.p;

@@ -72,14 +72,14 @@ DrawnPaths drawn_of_store(const std::filesystem::path& folder, const RunFacts& f
 void add_path(DrawnPaths& paths, const Path& path, const Model* model) {
   constexpr double tolerance = 0.05;  // of the arcs [m]
   const HeightAboveGround height(model);
-  if (paths.starts.empty()) paths.rocks.origin = origin_near(Vec3(path.rows[0].position_m.data()));
+  if (paths.starts.empty()) paths.rocks.origin = origin_near(vector(path.rows[0].position_m));
   paths.starts.push_back(static_cast<std::uint32_t>(paths.times.size()));
   for_points_along(path, tolerance, [&](const PathPoint& point) {
-    const Vec3 place(point.position_m.data());
+    const Vec3 place = vector(point.position_m);
     paths.times.push_back(static_cast<float>(point.time_s));
-    for (int axis = 0; axis < 3; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
       paths.positions.push_back(static_cast<float>(place[axis] - paths.rocks.origin[axis]));
-    paths.speeds.push_back(static_cast<float>(Vec3(point.velocity_m_s.data()).norm()));
+    paths.speeds.push_back(static_cast<float>(vector(point.velocity_m_s).norm()));
     paths.energies.push_back(static_cast<float>(point.ke_total_J / 1000));
     paths.heights.push_back(height(place));
     paths.states.push_back(static_cast<std::uint8_t>(point.state));

@@ -20,8 +20,7 @@ void read_ends(const fs::path& file, const RunFacts& facts, const std::function<
   while (row.next()) {
     const std::uint64_t rock = row.get<&R::rock>();
     if (!wants(rock)) continue;
-    const auto position = row.get<&R::position_m>();
-    const Vec3 place(position.data());
+    const Vec3 place = vector(row.get<&R::position_m>());
     if (ends.rocks.empty()) ends.origin = origin_near(place);
     for (int axis = 0; axis < 3; ++axis) ends.positions.push_back(static_cast<float>(place[axis] - ends.origin[axis]));
     ends.rocks.push_back(static_cast<std::uint32_t>(rock));

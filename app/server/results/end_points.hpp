@@ -14,8 +14,8 @@
 namespace talus::server {
 
 struct EndPoints {
-  std::uint64_t total = 0;     // number of rocks from which these were chosen
-  Vec3 origin = Vec3::Zero();  // of the positions [m]
+  std::uint64_t total = 0;  // number of rocks from which these were chosen
+  Vec3 origin;              // of the positions [m]
 
   std::vector<std::uint32_t> rocks;
   std::vector<float> positions;  // of the ends, three each [m]
@@ -57,6 +57,6 @@ class ChosenRocks {
                                    const std::function<bool(std::uint64_t rock)>& wants);
 
 /// The place rounded to whole metres: coordinates relative to it are accurate to a millimetre as float.
-[[nodiscard]] inline Vec3 origin_near(const Vec3& place) { return place.array().round(); }
+[[nodiscard]] inline Vec3 origin_near(const Vec3& place) { return place.rounded(); }
 
 }  // namespace talus::server

@@ -62,7 +62,7 @@ Answer draped(const Model& model, const LayerShapes& shapes) {
       names.push_back(shape.name);
       kinds.push_back(static_cast<std::uint8_t>(shape.kind));
       for (const Vec3& p : part)
-        for (const double value : Vec3(p - origin)) positions.push_back(static_cast<float>(value));
+        for (const double value : coordinates(p - origin)) positions.push_back(static_cast<float>(value));
     }
   }
   Arrays arrays({{"origin", {origin.x(), origin.y(), origin.z()}},

@@ -75,7 +75,7 @@ class SharedVertices {
   std::uint32_t vertex(const Vec3& p) {
     const auto [found, is_new] = numbers_.try_emplace({p.x(), p.y(), p.z()}, numbers_.size());
     if (is_new)
-      for (const double x : p) positions_.push_back(static_cast<float>(x));
+      for (const double x : coordinates(p)) positions_.push_back(static_cast<float>(x));
     return found->second;
   }
 

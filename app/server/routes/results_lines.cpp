@@ -191,8 +191,7 @@ Answer releases_of(const OpenRun& open) {
   const Model& model = open.built->model;
   const StoredSources& sources = open.asked->sources();
   const auto& spots = sources.spots.list();
-  const Vec3 origin =
-      spots.empty() ? Vec3(Vec3::Zero()) : origin_near(model.frame.global_from_local(spots.front().place));
+  const Vec3 origin = spots.empty() ? Vec3{} : origin_near(model.frame.global_from_local(spots.front().place));
   std::vector<std::uint32_t> rocks, stored;
   std::vector<float> positions, sizes;
   std::vector<std::uint16_t> seeders, names;

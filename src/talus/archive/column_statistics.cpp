@@ -100,7 +100,7 @@ class NumberOfHit {
     if (column != velocity_column && column != station_column) place_ = place_of_column<HitRow>(column);
   }
   [[nodiscard]] double operator()(const TableReader<HitRow>& row) const {
-    if (column_ == velocity_column) return Vec3(row.get<&HitRow::velocity_m_s>().data()).norm();
+    if (column_ == velocity_column) return vector(row.get<&HitRow::velocity_m_s>()).norm();
     if (column_ == station_column) {
       const auto place = row.get<&HitRow::position_m>();
       return station_of(barrier_.line_xyz, barrier_.stations, place[0], place[1]);

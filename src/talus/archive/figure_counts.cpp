@@ -48,7 +48,7 @@ void FigureCounts::add(const TableReader<HitRow>& row) {
   using R = HitRow;
   const auto rock = row.get<&R::rock>();
   const std::string_view line = row.get<&R::barrier>();
-  const ArrivalValues values{row.get<&R::ke_total_J>(), Vec3(row.get<&R::velocity_m_s>().data()).norm(),
+  const ArrivalValues values{row.get<&R::ke_total_J>(), vector(row.get<&R::velocity_m_s>()).norm(),
                              row.get<&R::top_height_m>()};
   if (convergence_) convergence_->add_arrival(rock, line, values);
   if (uncertainty_) uncertainty_->add_arrival(rock, line, values);

@@ -79,7 +79,7 @@ std::vector<std::array<double, 3>> foot_of(const Model& model, const Barrier& ba
     foot.push_back({p.x(), p.y(), p.z()});
   };
   if (std::holds_alternative<Profile>(*model.surface)) {
-    if (!barrier.panels().empty()) add(barrier.panels().front().foot.cwiseProduct(Vec3(1, 0, 1)));
+    if (!barrier.panels().empty()) add(barrier.panels().front().foot.times(Vec3(1, 0, 1)));
     return foot;
   }
   for (const Panel& panel : barrier.panels()) add(panel.foot);
@@ -140,7 +140,7 @@ BarrierPlace place_of(const Model& model, const Barrier& barrier) {
 
 /// The origin of the local frame, without negative zeros.
 Json origin_json(const LocalFrame& frame) {
-  const Vec3 origin = frame.origin + Vec3::Zero();
+  const Vec3 origin = frame.origin + Vec3{};
   return {origin.x(), origin.y(), origin.z()};
 }
 

@@ -27,8 +27,8 @@ class Arc {
     // p + v t + a t^2/2 + j t^3/6
     a_ = (6 * way / duration_ - 4 * v_ - 2 * v_end) / duration_;
     j_ = (6 * (v_ + v_end) - 12 * way / duration_) / (duration_ * duration_);
-    const PathEventRow& faster = v_end.squaredNorm() > v_.squaredNorm() ? to : from;
-    const double squared = vector(faster.velocity_m_s).squaredNorm();
+    const PathEventRow& faster = v_end.squared_norm() > v_.squared_norm() ? to : from;
+    const double squared = vector(faster.velocity_m_s).squared_norm();
     if (squared > 0) mass_ = 2 * faster.ke_translational_J / squared;
   }
 
@@ -45,7 +45,7 @@ class Arc {
     return {.time_s = from_.time_s + t,
             .position_m = coordinates(p_ + t * (v_ + t / 2 * (a_ + t / 3 * j_))),
             .velocity_m_s = coordinates(velocity),
-            .ke_total_J = 0.5 * mass_ * velocity.squaredNorm() + from_.ke_rotational_J,
+            .ke_total_J = 0.5 * mass_ * velocity.squared_norm() + from_.ke_rotational_J,
             .state = from_.state};
   }
   [[nodiscard]] double duration() const { return duration_; }
@@ -53,7 +53,7 @@ class Arc {
  private:
   const PathEventRow& from_;
   double duration_, mass_ = 0;
-  Vec3 p_, v_, a_ = Vec3::Zero(), j_ = Vec3::Zero();
+  Vec3 p_, v_, a_ = Vec3{}, j_ = Vec3{};
 };
 
 }  // namespace

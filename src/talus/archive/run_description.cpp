@@ -118,7 +118,7 @@ RunDescription read(const Json& json) {
     };
     maps.origin = pair("origin");
     maps.cell = pair("cell");
-    expect_bytes((maps.cell.array() > 0).all(), "the description's maps have no cells");
+    expect_bytes(maps.cell.x() > 0 && maps.cell.y() > 0, "the description's maps have no cells");
     given.at("by_source").get_to(maps.by_source);
     if (given.contains("subjects")) maps.selection.subjects = subjects_from(given.at("subjects"));
     given.at("percentiles").get_to(maps.selection.percentiles);

@@ -52,19 +52,19 @@ void join(Panel& before, Panel& after) {
 
 std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double inclination) {
   std::vector<Panel> panels;
-  constexpr double step = 1e-9;      // on plan [m]: the foot climbs a vertical face, where there is no panel
-  Vec3 foot_of_last = Vec3::Zero();  // the end of the last panel's foot
+  constexpr double step = 1e-9;  // on plan [m]: the foot climbs a vertical face, where there is no panel
+  Vec3 foot_of_last;             // the end of the last panel's foot
   double station = 0;
   for (std::size_t k = 0; k + 1 < foot.size(); ++k) {
     const Vec3 d = foot[k + 1] - foot[k];
-    if (d.head<2>().norm() < step) continue;
+    if (d.xy().norm() < step) continue;
     const Vec3 plan = Vec3(d.x(), d.y(), 0).normalized();
     const Vec3 right(plan.y(), -plan.x(), 0);
     Panel panel;
     panel.foot = foot[k];
     panel.length = d.norm();
     panel.along = d / panel.length;
-    panel.up = std::cos(inclination) * Vec3::UnitZ() + std::sin(inclination) * right;
+    panel.up = std::cos(inclination) * unit_z + std::sin(inclination) * right;
     panel.normal = panel.along.cross(panel.up).normalized();
     panel.height = height;
     panel.station = station;
@@ -78,7 +78,7 @@ std::vector<Panel> panels_over(std::span<const Vec3> foot, double height, double
 }
 
 Panel panel_in_section(const Vec3& foot, double height, double inclination) {
-  const Vec3 aside = Vec3::UnitY();  // the panel of panels_over() to both sides of the plane
+  const Vec3 aside = unit_y;  // the panel of panels_over() to both sides of the plane
   Panel panel = panels_over(std::array<Vec3, 2>{foot - aside, foot + aside}, height, inclination).front();
   panel.has_sides = false;
   return panel;
@@ -91,7 +91,7 @@ void Barrier::set_panels(std::vector<Panel> panels) {
     const Panel& panel = panels_[k];
     for (const double up : {0.0, panel.height}) {
       for (const double along : {panel.start_at(up), panel.end_at(up)}) {
-        bounds[k].grow(Vec2((panel.foot + along * panel.along + up * panel.up).head<2>()));
+        bounds[k].grow((panel.foot + along * panel.along + up * panel.up).xy());
       }
     }
   }
@@ -117,14 +117,14 @@ double BarrierList::distance(const Vec2& p) const {
 
 double free_way(const BarrierList& barriers, const Vec3& p, double radius) {
   constexpr double by_rounding = 1e-6;  // [m]
-  return std::max(0.0, barriers.distance(p.head<2>()) - radius - by_rounding);
+  return std::max(0.0, barriers.distance(p.xy()) - radius - by_rounding);
 }
 
 BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal, const Rock& rock) {
   const Rebound as_it_came{motion.velocity, motion.spin};
   if (barrier.is_collector) return {BarrierOutcome::passed, as_it_came};
   const double energy =
-      0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
+      0.5 * rock.mass * motion.velocity.squared_norm() + 0.5 * rock.inertia * motion.spin.squared_norm();
   if (energy > barrier.capacity) {
     const double kept = std::sqrt(1 - barrier.capacity / energy);
     return {BarrierOutcome::broke_through, Rebound{kept * motion.velocity, kept * motion.spin}};

@@ -66,14 +66,8 @@ bool draws_away(double speed, double acceleration) {
 /// The first crossing of one rock's path.
 class Search {
  public:
-  Search(const Parabola& path, double radius, double start, double t_max, const RecentCrossings& recent,
-         double below)
-      : path_(path),
-        radius_(radius),
-        margin_(radius + below),
-        start_(start),
-        t_max_(t_max),
-        recent_(recent) {}
+  Search(const Parabola& path, double radius, double start, double t_max, const RecentCrossings& recent, double below)
+      : path_(path), radius_(radius), margin_(radius + below), start_(start), t_max_(t_max), recent_(recent) {}
 
   [[nodiscard]] PlanBounds bounds() const {
     const Range x(path_.p.x(), path_.v.x(), path_.a.x(), t_max_, margin_),
@@ -202,16 +196,16 @@ class Search {
   void pass_over(BarrierId barrier, const Panel& panel, First& first) {
     const double top_start = panel.start_at(panel.height);
     const Vec3 start = point_of(panel, {top_start, panel.height});
-    const Vec3 normal = panel.along.cross(Vec3::UnitZ()).normalized();
+    const Vec3 normal = panel.along.cross(unit_z).normalized();
     come_near(start, normal, 0, time_for(first), [&](double t, double side) {
       const Vec3 from_start = path_.at(t) - start;
-      const Vec2 plan = panel.along.head<2>();
-      const double along = from_start.head<2>().dot(plan) / plan.squaredNorm();
+      const Vec2 plan = panel.along.xy();
+      const double along = from_start.xy().dot(plan) / plan.squared_norm();
       const double over = from_start.z() - along * panel.along.z();
       const Place place{top_start + along, panel.height + std::max(over, 0.0) * panel.up.z()};
       if (over < -tolerance::panel_border || !is_between_sides(panel, place)) return;
       Crossing crossing = hit(barrier, panel, t, place, side);
-      const Vec3 distance = tangential(over * Vec3::UnitZ(), panel.along);
+      const Vec3 distance = tangential(over * unit_z, panel.along);
       const Vec3 way = tangential(path_.velocity(t), panel.along);
       const double nearest = &first == &first_collector_ ? distance.cross(way.normalized()).norm() : distance.norm();
       crossing.above = nearest > radius_ + tolerance::panel_border;

@@ -21,13 +21,13 @@ namespace talus {
 struct Crossing {
   double t = 0;
   BarrierId barrier;
-  double height = 0;           // along the face [m]: of the contact; at a collector, or above, of the centre
-  double lowest = 0;           // of the block's lowest point above the foot, along the face (rocks/heights.hpp) [m]
-  double clearance = 0;        // above: of the rock's underside over the panel's top [m]
-  double way_over = 0;         // above: the distance on plan to beyond a panel that leans against the rock [m]
-  Vec3 normal = Vec3::Zero();  // unit, from the contact to the rock's centre; above: level
-  Vec3 across = Vec3::Zero();  // unit, across the face, against the rock
-  Vec3 up = Vec3::Zero();      // unit, up the face
+  double height = 0;     // along the face [m]: of the contact; at a collector, or above, of the centre
+  double lowest = 0;     // of the block's lowest point above the foot, along the face (rocks/heights.hpp) [m]
+  double clearance = 0;  // above: of the rock's underside over the panel's top [m]
+  double way_over = 0;   // above: the distance on plan to beyond a panel that leans against the rock [m]
+  Vec3 normal;           // unit, from the contact to the rock's centre; above: level
+  Vec3 across;           // unit, across the face, against the rock
+  Vec3 up;               // unit, up the face
   bool above = false;
   double station = 0;      // position along the line, on plan [m]
   bool from_ahead = true;  // from the side to which the panels' normals point

@@ -14,22 +14,22 @@ namespace talus {
 
 /// A rectangle on plan [m]; empty at first.
 struct PlanBounds {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-  Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
+  Vec2 low = Vec2::all(std::numeric_limits<double>::infinity());
+  Vec2 high = Vec2::all(-std::numeric_limits<double>::infinity());
 
   void grow(const Vec2& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    low = low.min(p);
+    high = high.max(p);
   }
   void grow(const PlanBounds& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
+    low = low.min(other.low);
+    high = high.max(other.high);
   }
   [[nodiscard]] bool meet(const PlanBounds& other) const {
-    return (low.array() <= other.high.array()).all() && (high.array() >= other.low.array()).all();
+    return low.is_at_most(other.high) && other.low.is_at_most(high);
   }
   /// The distance from a point [m]; 0 inside.
-  [[nodiscard]] double distance(const Vec2& p) const { return (low - p).cwiseMax(p - high).cwiseMax(0.0).norm(); }
+  [[nodiscard]] double distance(const Vec2& p) const { return (low - p).max(p - high).max(Vec2{}).norm(); }
 };
 
 class PlanIndex {

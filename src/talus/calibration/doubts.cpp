@@ -130,7 +130,7 @@ class Doubts {
       for (const study::RockEnd& end : outcome.ends) {
         const double own = group.zones.amount_of(end);
         all += own;
-        if (end.reason != EndReason::left_model && group.zones.of(end.end.head<2>()) < group.zones.list.size()) {
+        if (end.reason != EndReason::left_model && group.zones.of(end.end.xy()) < group.zones.list.size()) {
           within += own;
         }
       }

@@ -17,6 +17,11 @@ namespace {
 
 using Eigen::Index;
 
+/// The first coordinates, as a row of a sample.
+Eigen::RowVectorXd row_of(const Vec2& place, Index features) {
+  return Eigen::Map<const Eigen::RowVectorXd>(place.data(), features);
+}
+
 /// By LineValue.
 const std::vector<ObservedColumn> value_columns{
     {"height_m", {"impact_height_m"}}, {"velocity_m_s", {"speed_m_s"}}, {"energy_kJ", {}}};
@@ -66,11 +71,11 @@ void take_places(const Study& study, const StudyObservations& from, const study:
   group.releases = std::move(matched.strata);
   group.sample.strata = std::move(matched.of_place);
   std::size_t compared = 0;
-  Vec2 mean_end = Vec2::Zero();
+  Vec2 mean_end;
   for (const study::RockEnd& end : ends) {
     if (group.releases.of(end) == ReleaseStrata::none) continue;
-    group.axis.origin += end.release.head<2>();
-    mean_end += end.end.head<2>();
+    group.axis.origin += end.release.xy();
+    mean_end += end.end.xy();
     ++compared;
   }
   group.axis.origin /= static_cast<double>(compared);
@@ -85,7 +90,7 @@ void take_places(const Study& study, const StudyObservations& from, const study:
   group.sample.rows.resize(static_cast<Index>(places.size()), static_cast<Index>(group.features.size()));
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Vec2 at = group.place_of(places[k].position, group.sample.has_strata() ? group.sample.strata[k] : 0);
-    group.sample.rows.row(static_cast<Index>(k)) = at.head(group.sample.rows.cols()).transpose();
+    group.sample.rows.row(static_cast<Index>(k)) = row_of(at, group.sample.rows.cols());
   }
 }
 
@@ -197,7 +202,7 @@ Sample sample_of_places(const ObservedGroup& group, const study::SetOutcome& out
   sample.rows.resize(static_cast<Index>(compared.size()), features);
   for (std::size_t k = 0; k < compared.size(); ++k) {
     const auto& [place, stratum] = compared[k];
-    sample.rows.row(static_cast<Index>(k)) = group.place_of(position_of(*place), stratum).head(features).transpose();
+    sample.rows.row(static_cast<Index>(k)) = row_of(group.place_of(position_of(*place), stratum), features);
     if (group.sample.has_strata()) sample.strata.push_back(stratum);
     if (!group.sample.rocks.empty()) sample.rocks.push_back(static_cast<std::uint32_t>(place->rock));
   }
@@ -226,8 +231,8 @@ Sample sample_of_crossings(const ObservedGroup& group, const study::SetOutcome& 
 
 Vec2 ObservedGroup::place_of(const Vec3& position, std::uint32_t stratum) const {
   // Runouts are counted from a rock's own release.
-  const Vec2 shift = releases.origins.empty() ? Vec2::Zero() : Vec2(releases.origins[stratum] - axis.origin);
-  return axis.of(position.head<2>() - shift);
+  const Vec2 shift = releases.origins.empty() ? Vec2{} : releases.origins[stratum] - axis.origin;
+  return axis.of(position.xy() - shift);
 }
 
 ObservedGroup read_observations(const Study& study, const StudyObservations& from, std::size_t site,

@@ -156,7 +156,7 @@ class PlaceReader {
     std::size_t off = 0, swapped = 0, high = 0;
     double most = 0;
     for (const ObservedPlace& one : places) {
-      const auto ground = elevation_at(site_, one.position.head<2>());
+      const auto ground = elevation_at(site_, one.position.xy());
       if (!ground) {
         if (!is_2d_ && elevation_at(site_, {one.position.y(), one.position.x()})) ++swapped;
         if (++off > most_places_reported) continue;

@@ -12,7 +12,7 @@
 namespace talus::calibration {
 
 struct ObservedPlace {
-  Vec3 position = Vec3::Zero();  // [m]; z is 0 if it was not observed
+  Vec3 position;  // [m]; z is 0 if it was not observed
   bool has_z = false;
   std::string release;         // as written; empty: not known
   std::string rock;            // of marks; empty: not known

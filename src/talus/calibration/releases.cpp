@@ -161,12 +161,12 @@ class ReleaseMatch {
         own = number;
       }
     }
-    strata.origins.assign(strata.names.size(), Vec2::Zero());
+    strata.origins.assign(strata.names.size(), Vec2{});
     simulated_.assign(strata.names.size(), 0);
     for (const study::RockEnd& end : ends_) {
       const std::uint32_t own = strata.of_rock[end.rock];
       if (own == ReleaseStrata::none) continue;
-      strata.origins[own] += end.release.head<2>();
+      strata.origins[own] += end.release.xy();
       ++simulated_[own];
     }
     for (std::size_t k = 0; k < simulated_.size(); ++k) strata.origins[k] /= static_cast<double>(simulated_[k]);

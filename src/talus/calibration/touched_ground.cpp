@@ -23,7 +23,7 @@ void mark_near(const ObservedGroup& group, const study::SetOutcome& outcome, std
   if (group.kind == ObservationKind::zones) {
     const Eigen::VectorXd shares = zone_shares(group.zones, group.sample);
     for (const study::RockEnd& end : outcome.ends) {
-      const std::size_t zone = group.zones.of(end.end.head<2>());
+      const std::size_t zone = group.zones.of(end.end.xy());
       if (zone < group.zones.list.size() && shares[static_cast<Index>(zone)] > 0) near[end.rock] = true;
     }
     return;

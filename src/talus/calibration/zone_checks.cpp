@@ -12,14 +12,14 @@ namespace talus::calibration {
 namespace {
 
 struct PlanExtent {
-  Vec2 low = Vec2::Constant(INFINITY), high = Vec2::Constant(-INFINITY);
+  Vec2 low = Vec2::all(INFINITY), high = Vec2::all(-INFINITY);
 };
 
 PlanExtent extent_of_zone(const ObservedZone& zone) {
   PlanExtent extent;
   for (const PlanPolygon& polygon : zone.polygons) {
-    extent.low = extent.low.cwiseMin(polygon.low());
-    extent.high = extent.high.cwiseMax(polygon.high());
+    extent.low = extent.low.min(polygon.low());
+    extent.high = extent.high.max(polygon.high());
   }
   return extent;
 }
@@ -42,15 +42,15 @@ bool is_anywhere(const PlanExtent& extent, Property&& has) {
 bool overlap(const ObservedZone& one, const ObservedZone& other) {
   if (one.polygons.empty()) return std::min(one.to, other.to) > std::max(one.from, other.from);
   const PlanExtent a = extent_of_zone(one), b = extent_of_zone(other);
-  const PlanExtent both{a.low.cwiseMax(b.low), a.high.cwiseMin(b.high)};
+  const PlanExtent both{a.low.max(b.low), a.high.min(b.high)};
   return both.low.x() < both.high.x() && both.low.y() < both.high.y() &&
          is_anywhere(both, [&](const Vec2& p) { return one.contains(p) && other.contains(p); });
 }
 
 bool reaches_terrain(const ObservedZone& zone, const study::PreparedSite& site) {
   const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *site.model().surface);
-  const Vec2 low = site.model().frame.global_from_local(box.low).head<2>();
-  const Vec2 high = site.model().frame.global_from_local(box.high).head<2>();
+  const Vec2 low = site.model().frame.global_from_local(box.low).xy();
+  const Vec2 high = site.model().frame.global_from_local(box.high).xy();
   if (zone.polygons.empty()) return zone.from < high.x() && zone.to > low.x();
   return is_anywhere({low, high}, [&](const Vec2& p) { return zone.contains(p) && elevation_at(site, p); });
 }

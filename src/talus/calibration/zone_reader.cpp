@@ -184,7 +184,7 @@ class ZoneReader {
 
   void add_polygon(std::size_t k, const std::vector<std::vector<Vec3>>& rings) {
     std::vector<Vec2> outer;
-    for (const Vec3& p : rings.front()) outer.push_back(p.head<2>());
+    for (const Vec3& p : rings.front()) outer.push_back(p.xy());
     constexpr std::size_t fewest = 3;
     if (outer.size() > 1 && outer.front() == outer.back()) outer.pop_back();
     if (outer.size() < fewest) {

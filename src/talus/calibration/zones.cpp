@@ -41,7 +41,7 @@ Sample zone_sample(const ObservedZones& zones, const std::vector<study::RockEnd>
   std::vector<std::pair<std::size_t, double>> rocks;
   for (const study::RockEnd& end : ends) {
     // A rock that left the model lies outside all zones, wherever that was.
-    const std::size_t category = end.reason == EndReason::left_model ? zones.list.size() : zones.of(end.end.head<2>());
+    const std::size_t category = end.reason == EndReason::left_model ? zones.list.size() : zones.of(end.end.xy());
     if (category < zones.category_count()) rocks.emplace_back(category, zones.amount_of(end));
   }
   Sample sample;

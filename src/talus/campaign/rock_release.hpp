@@ -24,7 +24,7 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
   if (start.above_surface) {
     auto z = surface.elevation(place.x(), place.y());
     if (!z && start.middle) {
-      place.head(2) = *start.middle;
+      place = Vec3(*start.middle, place.z());
       z = surface.elevation(place.x(), place.y());
     }
     place.z() = z.value_or(place.z()) + *start.above_surface;
@@ -42,8 +42,8 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
   }
   if (clear.fit == Fit::no_room) {
     release.has_room = false;
-    release.motion.velocity.setZero();
-    release.motion.spin.setZero();
+    release.motion.velocity = {};
+    release.motion.spin = {};
   }
   record.body = release.rock;
   return release;

@@ -15,7 +15,7 @@ namespace talus {
 [[nodiscard]] inline double arc_length(const Parabola& path, double t) {
   const double chord = (path.at(t) - path.p).norm(), a = path.a.norm();
   if (!(a * t > 0)) return chord;
-  const double u0 = path.v.dot(path.a) / a, u1 = u0 + a * t, ww = path.v.cross(path.a).squaredNorm() / (a * a);
+  const double u0 = path.v.dot(path.a) / a, u1 = u0 + a * t, ww = path.v.cross(path.a).squared_norm() / (a * a);
   const double s0 = std::sqrt(u0 * u0 + ww), s1 = std::sqrt(u1 * u1 + ww);
   double twice = u1 * s1 - u0 * s0;
   constexpr double negligible = 1e-200;  // [m2/s2], so that the quotient does not overflow

@@ -35,8 +35,8 @@ namespace talus {
 
 /// The drag of a flight. With rate 0 the parameter of a piece is time.
 struct LinearDrag {
-  double rate = 0;              // k = b/m [1/s]
-  Vec3 gravity = Vec3::Zero();  // [m/s2]; only with drag
+  double rate = 0;  // k = b/m [1/s]
+  Vec3 gravity;     // [m/s2]; only with drag
 
   /// The time [s] at the parameter s, which is below 1/rate.
   [[nodiscard]] double time(double s) const { return rate == 0 ? s : -std::log1p(-rate * s) / rate; }
@@ -44,7 +44,7 @@ struct LinearDrag {
   [[nodiscard]] double parameter(double time) const { return rate == 0 ? time : -std::expm1(-rate * time) / rate; }
   /// The velocity at s on a piece that starts with `piece.v`.
   [[nodiscard]] Vec3 velocity(const Parabola& piece, double s) const {
-    return rate == 0 ? piece.velocity(s) : Vec3((1 - rate * s) * piece.v + s * gravity);
+    return rate == 0 ? piece.velocity(s) : (1 - rate * s) * piece.v + s * gravity;
   }
 
   /// The piece from `p` with the velocity `v` that is exact at s = `length`, which is below 1/rate.

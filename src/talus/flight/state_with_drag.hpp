@@ -14,7 +14,7 @@ struct FlightState {
 [[nodiscard]] inline FlightState state_with_drag(const Vec3& p, const Vec3& v, const LinearDrag& drag, double time) {
   const double s = drag.parameter(time);
   const bool is_weak = drag.rate * s < 0.1;  // time - s has lost digits there
-  const Vec3 place = is_weak ? drag.piece(p, v, s).at(s) : Vec3(p + s * v + (time - s) / drag.rate * drag.gravity);
+  const Vec3 place = is_weak ? drag.piece(p, v, s).at(s) : p + s * v + (time - s) / drag.rate * drag.gravity;
   return {place, drag.velocity({p, v, drag.gravity}, s)};
 }
 

@@ -74,8 +74,8 @@ Roots roots_within(const Polynomial& c, int degree, double t_max) {
 
 // The squared distance |d + v t + a t^2/2|^2, less radius^2, as a polynomial of time.
 Polynomial squared_distance(const Vec3& d, const Vec3& v, const Vec3& a, double radius) {
-  return {d.squaredNorm() - radius * radius, 2 * d.dot(v), v.squaredNorm() + d.dot(a), v.dot(a),
-          0.25 * a.squaredNorm()};
+  return {d.squared_norm() - radius * radius, 2 * d.dot(v), v.squared_norm() + d.dot(a), v.dot(a),
+          0.25 * a.squared_norm()};
 }
 
 // The first time at which a polynomial takes a value; infinity if it does not.

@@ -26,10 +26,10 @@ CrspImpact crsp_impact(const Vec3& velocity, const Vec3& spin, const Vec3& n, do
   // The frame. Spin whose surface speed is below a billionth of the rock's speed is rounding.
   const bool spins = wt_length * radius > 1e-9 * vt_length;
   if (!spins && vt_length == 0) {
-    impact.t1 = impact.t2 = Vec3::Zero();
+    impact.t1 = impact.t2 = Vec3{};
     return impact;
   }
-  impact.t1 = spins ? Vec3(wt.cross(n) / wt_length) : Vec3(vt / vt_length);
+  impact.t1 = spins ? wt.cross(n) / wt_length : vt / vt_length;
   impact.t2 = n.cross(impact.t1);
   impact.v1 = vt.dot(impact.t1);
   impact.v2 = spins ? vt.dot(impact.t2) : 0;

@@ -18,7 +18,7 @@ Vec3 contact_point_velocity(const Vec3& velocity, const Vec3& spin, const Vec3& 
 
 /// The share s of `added`, at most 1, with |given + s added| <= most.
 double share_within(const Vec3& given, const Vec3& added, double most) {
-  const double a = added.squaredNorm(), b = given.dot(added), c = most * most - given.squaredNorm();
+  const double a = added.squared_norm(), b = given.dot(added), c = most * most - given.squared_norm();
   if (c <= 0 || a == 0) return 0;
   return std::min(1.0, c / (b + std::sqrt(b * b + a * c)));
 }
@@ -55,7 +55,7 @@ Rebound rigid_sphere_rebound(const Vec3& velocity, const Vec3& spin, const Vec3&
   if (slips) jt *= most / unlimited;
   const Rebound rebound{velocity + (jn * n + jt) / m, spin - r / rock.inertia * n.cross(jt)};
   if (friction.rolling == 0 || jn == 0) return rebound;
-  return resisted(rebound, n, rock, friction.rolling * jn * r, slips ? Vec3(Vec3::Zero()) : jt, slips ? 0 : most);
+  return resisted(rebound, n, rock, friction.rolling * jn * r, slips ? Vec3{} : jt, slips ? 0 : most);
 }
 
 double crsp_damped_tangential_restitution(const Vec3& velocity, const Vec3& spin, const Vec3& n, const Rock& rock,

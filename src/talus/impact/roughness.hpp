@@ -24,7 +24,7 @@ namespace talus {
 /// A rebound from tilted ground must not lead into the facet: the velocity component into it is removed.
 [[nodiscard]] inline Vec3 kept_outside(const Vec3& velocity, const Vec3& n) {
   const double vn = velocity.dot(n);
-  return vn < 0 ? Vec3(velocity - vn * n) : velocity;
+  return vn < 0 ? velocity - vn * n : velocity;
 }
 
 }  // namespace talus

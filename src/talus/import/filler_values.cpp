@@ -42,7 +42,7 @@ Run run_around(std::span<const Vec3> line, std::size_t k) {
 bool is_steep_beside(std::span<const Vec3> line, const Run& run) {
   constexpr double steep = 2;  // height over length on plan
   const auto is_steep = [&](std::size_t a, std::size_t b) {
-    return std::abs(line[a].z() - line[b].z()) > steep * (line[a] - line[b]).head<2>().norm();
+    return std::abs(line[a].z() - line[b].z()) > steep * (line[a] - line[b]).xy().norm();
   };
   return (run.from == 0 || is_steep(run.from - 1, run.from)) &&
          (run.to + 1 == line.size() || is_steep(run.to, run.to + 1));

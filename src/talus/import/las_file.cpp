@@ -115,18 +115,18 @@ class LasReader {
       long_record_count_ = number_at<std::uint32_t>(header, 243);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<Eigen::Index>(axis);
+      const auto i = axis;
       scale_[i] = number_at<double>(header, 131 + 8 * axis);
       offset_[i] = number_at<double>(header, 155 + 8 * axis);
     }
-    if (!scale_.allFinite() || !offset_.allFinite() || (scale_.array() <= 0).any()) {
+    if (!scale_.is_finite() || !offset_.is_finite() || !(std::min({scale_.x(), scale_.y(), scale_.z()}) > 0)) {
       stop(fmt::format("has the scales {:g}, {:g}, {:g} and the offsets {:g}, {:g}, {:g}", scale_.x(), scale_.y(),
                        scale_.z(), offset_.x(), offset_.y(), offset_.z()),
            "scales must be more than 0, and all must be finite");
     }
     // The largest possible coordinates: 2^31 times the scale, plus the offset.
-    const Vec3 farthest = 2147483648.0 * scale_ + offset_.cwiseAbs();
-    if (!farthest.allFinite()) {
+    const Vec3 farthest = 2147483648.0 * scale_ + offset_.abs();
+    if (!farthest.is_finite()) {
       stop(fmt::format("has the scales {:g}, {:g}, {:g} and the offsets {:g}, {:g}, {:g}", scale_.x(), scale_.y(),
                        scale_.z(), offset_.x(), offset_.y(), offset_.z()),
            "its coordinates would not be finite");
@@ -227,8 +227,8 @@ class LasReader {
         if (!wants(las_class)) continue;
         const Vec3 steps(number_at<std::int32_t>(block, at), number_at<std::int32_t>(block, at + 4),
                          number_at<std::int32_t>(block, at + 8));
-        las_.points.emplace_back(scale_.cwiseProduct(steps) + offset_);
-        const double plan = las_.points.back().head<2>().cwiseAbs().maxCoeff();
+        las_.points.emplace_back(scale_.times(steps) + offset_);
+        const double plan = las_.points.back().xy().abs().largest();
         if (plan > largest_coordinate_m) {
           ++far_away;
           farthest = plan;

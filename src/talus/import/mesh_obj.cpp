@@ -66,9 +66,9 @@ class ObjReader {
 
   // A weight, a colour or both may follow x, y, z; they are ignored, but must be numbers.
   void vertex(std::string_view line) {
-    constexpr Eigen::Index most_numbers = 8;
-    Vec3 position = Vec3::Zero();
-    Eigen::Index count = 0;
+    constexpr std::size_t most_numbers = 8;
+    Vec3 position;
+    std::size_t count = 0;
     bool is_valid = true;
     for (std::string_view word = take_word(line); is_valid && !word.empty(); word = take_word(line)) {
       if (count == most_numbers) {

@@ -13,7 +13,7 @@ namespace {
 
 template <class Body>
 void read_vertex(Body& body, const Element& element, PolygonMesh& mesh) {
-  Vec3 position = Vec3::Zero();
+  Vec3 position;
   for (const Property& property : element.properties) {
     const bool is_position = property.name == "x" || property.name == "y" || property.name == "z";
     if (property.length) {

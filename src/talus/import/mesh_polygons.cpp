@@ -21,17 +21,14 @@ double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
 
 // Twice the area vector of the polygon (Newell), whose points are relative to one nearby.
 Vec3 area_vector(const std::vector<Vec3>& points) {
-  Vec3 sum = Vec3::Zero();
+  Vec3 sum;
   for (std::size_t i = 0; i < points.size(); ++i) sum += points[i].cross(points[(i + 1) % points.size()]);
   return sum;
 }
 
 // The polygon projected on the coordinate plane in which it appears largest, counter-clockwise.
 std::vector<Vec2> projected(const std::vector<Vec3>& points, const Vec3& normal) {
-  Eigen::Index axis = 0;
-  normal.cwiseAbs().maxCoeff(&axis);
-  const Eigen::Index u = (axis + 1) % 3;
-  const Eigen::Index v = (axis + 2) % 3;
+  const std::size_t axis = normal.abs().place_of_largest(), u = (axis + 1) % 3, v = (axis + 2) % 3;
   const bool faces_away = normal[axis] < 0;
   std::vector<Vec2> out;
   out.reserve(points.size());
@@ -91,7 +88,7 @@ std::optional<std::vector<Triangle>> cut_into_triangles(const std::vector<Vec3>&
   points.reserve(face.size());
   for (const std::uint32_t corner : face) points.push_back(vertices[corner] - vertices[face[0]]);
   double extent = 0;
-  for (const Vec3& p : points) extent = std::max(extent, p.squaredNorm());
+  for (const Vec3& p : points) extent = std::max(extent, p.squared_norm());
   const double flat = 1e-12 * extent;  // rounding of doubled areas: a height of 1e-12 of the face's size
   std::vector<Triangle> out = fan(corners);
   const Vec3 normal = area_vector(points);

@@ -108,8 +108,8 @@ class StlTextReader {
   }
 
   void vertex(std::string_view rest) {
-    Vec3 position = Vec3::Zero();
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    Vec3 position;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::string_view word = take_word(rest);
       if (word.empty()) {
         problems_.refuse(place_, fmt::format("a vertex with {} coordinate{}", axis, axis == 1 ? "" : "s"),

@@ -322,7 +322,7 @@ class PointReader {
   void read_point() {
     if (is_too_long()) return;
     may_have_decimal_commas_ = may_have_decimal_commas_ && has_whole_numbers_only();
-    Vec3 point = Vec3::Zero();
+    Vec3 point;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (axis == 1 && !has_y_) continue;
       if (columns_[axis] >= words_.size()) {
@@ -345,7 +345,7 @@ class PointReader {
                       fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m));
         return;
       }
-      point[static_cast<Eigen::Index>(axis)] = *value;
+      point[axis] = *value;
     }
     if (point.z() < lowest_elevation_m || point.z() > highest_elevation_m) {
       problems_.add(line_number(), fmt::format("z is {:.10g}", point.z()),

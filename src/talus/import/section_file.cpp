@@ -28,7 +28,7 @@ SectionVertices section_along_line(const std::vector<Vec3>& line) {
   SectionVertices section;
   double distance = 0;
   for (std::size_t k = 0; k < line.size(); ++k) {
-    if (k > 0) distance += (line[k] - line[k - 1]).head<2>().norm();
+    if (k > 0) distance += (line[k] - line[k - 1]).xy().norm();
     section.push_back({distance, line[k].z()});
   }
   return section;

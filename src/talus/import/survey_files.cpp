@@ -22,13 +22,13 @@ namespace talus {
 namespace {
 
 struct PlanBox {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Vec2 low = Vec2::all(std::numeric_limits<double>::infinity()), high = -low;
   void grow(const Vec3& p) {
-    low = low.cwiseMin(p.head<2>());
-    high = high.cwiseMax(p.head<2>());
+    low = low.min(p.xy());
+    high = high.max(p.xy());
   }
   [[nodiscard]] bool is_apart_from(const PlanBox& o) const {
-    return (low.array() > o.high.array()).any() || (high.array() < o.low.array()).any();
+    return !low.is_at_most(o.high) || !o.low.is_at_most(high);
   }
   [[nodiscard]] std::string text() const {
     return fmt::format("x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}", low.x(), high.x(), low.y(), high.y());
@@ -259,8 +259,8 @@ class SurveyReader {
 
   [[nodiscard]] PlanBox survey_box() const {
     PlanBox box = points_box_;
-    box.low = box.low.cwiseMin(lines_box_.low);
-    box.high = box.high.cwiseMax(lines_box_.high);
+    box.low = box.low.min(lines_box_.low);
+    box.high = box.high.max(lines_box_.high);
     return box;
   }
 
@@ -268,7 +268,7 @@ class SurveyReader {
     const PlanBox box = survey_box();
     const std::filesystem::path& file = sources_.points.empty() ? sources_.lines : sources_.points;
     if (crs_.get().is_known()) {
-      check_survey_crs(crs_.get(), Vec2(0.5 * (box.low + box.high)), file, kind_, warnings_);
+      check_survey_crs(crs_.get(), 0.5 * (box.low + box.high), file, kind_, warnings_);
       return;
     }
     if (crs_.is_local()) return;
@@ -276,7 +276,7 @@ class SurveyReader {
     // is narrower than 10 degrees.
     constexpr double widest_in_degrees = 10;
     const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 &&
-                                box.high.y() <= 90 && (box.high - box.low).maxCoeff() < widest_in_degrees;
+                                box.high.y() <= 90 && (box.high - box.low).largest() < widest_in_degrees;
     if (may_be_degrees) {
       throw BadInput(problem(file, "seems to be in degrees",
                              fmt::format("it covers {}, and has no coordinate system", box.text()),
@@ -347,8 +347,7 @@ PolygonFile read_polygon_file(const std::filesystem::path& path, const std::stri
     }
   }
   problems.throw_if_any();
-  if (crs.get().is_known())
-    check_survey_crs(crs.get(), Vec2(0.5 * (box.low + box.high)), path, SurveyKind::vector, warnings);
+  if (crs.get().is_known()) check_survey_crs(crs.get(), 0.5 * (box.low + box.high), path, SurveyKind::vector, warnings);
   file.crs_wkt = crs.get().wkt;
   return file;
 }

@@ -253,7 +253,7 @@ std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line,
     double z = feature.has_z ? line.getZ(number) : 0;
     if (!request_.heights_are_used && !std::isfinite(z)) z = 0;
     vertices[i] = Vec3(x[i], y[i], z);
-    if (!vertices[i].allFinite()) {
+    if (!vertices[i].is_finite()) {
       note(not_finite, feature, fmt::format("has the coordinates ({:.10g}, {:.10g}, {:.10g})", x[i], y[i], z));
       return std::nullopt;
     }
@@ -277,7 +277,7 @@ std::optional<std::vector<Vec3>> VectorShapes::placed(const OGRLineString& line,
       note(without_place, feature, "is at " + at(i));
       return std::nullopt;
     }
-    vertices[i].head(2) = Vec2(x[i], y[i]);
+    vertices[i] = {x[i], y[i], vertices[i].z()};
   }
   note_missing_height(vertices, feature);
   return vertices;

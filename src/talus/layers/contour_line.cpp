@@ -22,7 +22,7 @@ struct ContourEdge {
   std::array<double, 6> ends;
 
   ContourEdge(const Vec3& a, const Vec3& b) {
-    const bool in_order = std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+    const bool in_order = coordinates(a) < coordinates(b);
     const Vec3 &first = in_order ? a : b, &second = in_order ? b : a;
     ends = {first.x(), first.y(), first.z(), second.x(), second.y(), second.z()};
   }
@@ -62,7 +62,7 @@ class Crossings {
   [[nodiscard]] std::vector<Vec2> line_near(const Vec2& place) const {
     if (points_.empty()) return {};
     const auto nearest = std::ranges::min_element(
-        points_, {}, [&](const Crossing& crossing) { return (crossing.place - place).squaredNorm(); });
+        points_, {}, [&](const Crossing& crossing) { return (crossing.place - place).squared_norm(); });
     const auto start = static_cast<std::uint32_t>(nearest - points_.begin());
     std::vector<Vec2> line = walk(start, nearest->next[0]);
     std::ranges::reverse(line);
@@ -140,7 +140,7 @@ void add_all(const Profile&, double, Crossings&) {}
 
 std::optional<ContourLine> contour_through(const Model& model, const Vec2& place, std::optional<double> elevation,
                                            std::size_t most) {
-  const Vec2 local = place - model.frame.origin.head<2>();
+  const Vec2 local = place - model.frame.origin.xy();
   return std::visit(
       [&](const auto& surface) -> std::optional<ContourLine> {
         const std::optional<double> here = surface.elevation(local.x(), local.y());
@@ -150,7 +150,7 @@ std::optional<ContourLine> contour_through(const Model& model, const Vec2& place
         add_all(surface, z, crossings);
         std::vector<Vec2> line = simplified_to(crossings.line_near(local), most);
         if (line.size() < 2) return std::nullopt;
-        for (Vec2& p : line) p += model.frame.origin.head<2>();
+        for (Vec2& p : line) p += model.frame.origin.xy();
         return ContourLine{z + model.frame.origin.z(), std::move(line)};
       },
       *model.surface);

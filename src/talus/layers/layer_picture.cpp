@@ -79,7 +79,7 @@ class Painter {
  public:
   Painter(LayerRaster& raster, std::uint32_t most) : raster_(raster), bands_(bands_of(raster.dataset())) {
     const Vec2 size = raster.area().size();
-    const double pixel = std::max(raster.cell(), size.maxCoeff() / most);
+    const double pixel = std::max(raster.cell(), size.largest() / most);
     const auto pixels = [&](double length) {
       return static_cast<std::uint32_t>(std::clamp(std::ceil(length / pixel - 1e-6), 1.0, static_cast<double>(most)));
     };

@@ -87,13 +87,13 @@ void LayerRaster::find_crs(const TerrainOnPlan& terrain) {
 
 /// The rectangle around the raster, in the terrain's coordinates.
 PlanArea LayerRaster::extent() const {
-  PlanArea whole{Vec2::Constant(std::numeric_limits<double>::infinity()),
-                 Vec2::Constant(-std::numeric_limits<double>::infinity())};
+  PlanArea whole{Vec2::all(std::numeric_limits<double>::infinity()),
+                 Vec2::all(-std::numeric_limits<double>::infinity())};
   const double* const t = geotransform_;
   for (const double column : {0.0, static_cast<double>(dataset_->GetRasterXSize())}) {
     for (const double row : {0.0, static_cast<double>(dataset_->GetRasterYSize())}) {
       const Vec2 corner(t[0] + column * t[1] + row * t[2], t[3] + column * t[4] + row * t[5]);
-      whole = {whole.low.cwiseMin(corner), whole.high.cwiseMax(corner)};
+      whole = {whole.low.min(corner), whole.high.max(corner)};
     }
   }
   if (own_crs_.empty() || own_crs_ == terrain_crs_) return whole;
@@ -107,7 +107,7 @@ PlanArea LayerRaster::extent() const {
   PlanArea placed;
   if (!change || !change->TransformBounds(whole.low.x(), whole.low.y(), whole.high.x(), whole.high.y(), &placed.low.x(),
                                           &placed.low.y(), &placed.high.x(), &placed.high.y(), points_of_side)) {
-    return {Vec2::Zero(), Vec2::Zero()};  // lies nowhere
+    return {Vec2{}, Vec2{}};  // lies nowhere
   }
   return placed;
 }

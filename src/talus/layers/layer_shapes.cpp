@@ -25,7 +25,7 @@ std::vector<Vec2> simplified(const std::vector<Vec2>& line, double tolerance) {
 
 PlanArea around(const std::vector<Vec2>& points) {
   PlanArea area{points.front(), points.front()};
-  for (const Vec2& p : points) area = {area.low.cwiseMin(p), area.high.cwiseMax(p)};
+  for (const Vec2& p : points) area = {area.low.min(p), area.high.max(p)};
   return area;
 }
 
@@ -46,8 +46,8 @@ class Collector {
       for (const std::vector<Vec3>& list : part.lists) {
         LayerShape shape{.kind = part.kind, .name = 0, .points = {}};
         shape.points.reserve(list.size() + 1);
-        for (const Vec3& p : list) shape.points.emplace_back(p.head<2>());
-        if (part.kind == ShapeKind::polygon) shape.points.emplace_back(list.front().head<2>());
+        for (const Vec3& p : list) shape.points.emplace_back(p.xy());
+        if (part.kind == ShapeKind::polygon) shape.points.emplace_back(list.front().xy());
         if (shape.points.empty()) continue;
         const PlanArea area = around(shape.points);
         if (!area.touches(terrain_.area)) continue;
@@ -108,7 +108,7 @@ double LayerShape::distance_to(const Vec2& place) const {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < points.size(); ++k) {
     const Vec2 way = points[k + 1] - points[k];
-    const double length = way.squaredNorm();
+    const double length = way.squared_norm();
     const double share = length > 0 ? std::clamp((place - points[k]).dot(way) / length, 0.0, 1.0) : 0;
     least = std::min(least, (points[k] + share * way - place).norm());
   }

@@ -9,8 +9,8 @@ namespace talus {
 
 TerrainOnPlan terrain_on_plan(const Model& model) {
   const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *model.surface);
-  const Vec2 origin = model.frame.origin.head<2>();
-  return {{box.low.head<2>() + origin, box.high.head<2>() + origin}, model.crs_wkt};
+  const Vec2 origin = model.frame.origin.xy();
+  return {{box.low.xy() + origin, box.high.xy() + origin}, model.crs_wkt};
 }
 
 std::string in_words(const PlanArea& area) {
@@ -22,7 +22,7 @@ std::vector<std::vector<Vec3>> on_terrain(const Model& model, const std::vector<
   std::vector<std::vector<Vec3>> parts;
   bool is_on_ground = false;
   const auto add = [&](const Vec2& place) {
-    const Vec2 local = place - model.frame.origin.head<2>();
+    const Vec2 local = place - model.frame.origin.xy();
     const auto z =
         std::visit([&](const auto& surface) { return surface.elevation(local.x(), local.y()); }, *model.surface);
     if (z && !is_on_ground) parts.emplace_back();

@@ -16,11 +16,9 @@ struct PlanArea {
 
   [[nodiscard]] Vec2 size() const { return high - low; }
   [[nodiscard]] bool is_empty() const { return !(low.x() < high.x() && low.y() < high.y()); }
-  [[nodiscard]] PlanArea common(const PlanArea& other) const {
-    return {low.cwiseMax(other.low), high.cwiseMin(other.high)};
-  }
+  [[nodiscard]] PlanArea common(const PlanArea& other) const { return {low.max(other.low), high.min(other.high)}; }
   [[nodiscard]] bool touches(const PlanArea& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+    return low.is_at_most(other.high) && other.low.is_at_most(high);
   }
 };
 

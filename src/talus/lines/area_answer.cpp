@@ -28,8 +28,7 @@ double area_of(std::span<const Vec2> ring) {
 /// The times in (0, duration) at which a path crosses the line through an edge, near the edge.
 void add_borders(const Vec2& from, const Vec2& to, const Parabola& path, double duration, std::vector<double>& times) {
   const Vec2 way = to - from, across(-way.y(), way.x());
-  const double h = across.dot(path.p.head<2>() - from), v = across.dot(path.v.head<2>()),
-               a = across.dot(path.a.head<2>());
+  const double h = across.dot(path.p.xy() - from), v = across.dot(path.v.xy()), a = across.dot(path.a.xy());
   const auto add = [&](double t) {
     if (t > 0 && t < duration) times.push_back(t);
   };
@@ -46,7 +45,7 @@ void add_borders(const Vec2& from, const Vec2& to, const Parabola& path, double 
 
 PlanBounds bounds_of(const Parabola& path, double duration) {
   PlanBounds bounds;
-  const auto grow = [&](double t) { bounds.grow(Vec2(path.at(t).head<2>())); };
+  const auto grow = [&](double t) { bounds.grow(path.at(t).xy()); };
   grow(0);
   grow(duration);
   for (int k = 0; k < 2; ++k) {
@@ -97,8 +96,8 @@ AskedArea drawn_area(const Model& model, std::span<const PlanPlace> corners, std
       [](const auto& surface) {
         const auto box = surface.bounds();
         PlanBounds on_plan;
-        on_plan.grow(Vec2(box.low.template head<2>()));
-        on_plan.grow(Vec2(box.high.template head<2>()));
+        on_plan.grow(box.low.xy());
+        on_plan.grow(box.high.xy());
         return on_plan;
       },
       *model.surface);
@@ -125,7 +124,7 @@ void parts_inside(const AskedArea& area, const Parabola& path, double duration,
   std::ranges::sort(times);
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     if (times[k] == times[k + 1] && duration > 0) continue;
-    if (!area.polygon.contains(path.at(0.5 * (times[k] + times[k + 1])).head<2>())) continue;
+    if (!area.polygon.contains(path.at(0.5 * (times[k] + times[k + 1])).xy())) continue;
     if (!parts.empty() && parts.back().second == times[k]) {
       parts.back().second = times[k + 1];
     } else {
@@ -158,7 +157,7 @@ std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area,
   const Motion& end = path.record.outcome.end;
   const EndReason reason = path.record.outcome.reason;
   const bool stays = reason != EndReason::left_model && reason != EndReason::lost && reason != EndReason::no_data;
-  if (stays && area.polygon.contains(end.position.head<2>())) {
+  if (stays && area.polygon.contains(end.position.xy())) {
     if (!inside) inside = RockInside{.rock = path.record.rock};
     inside->stops = true;
   }

@@ -104,7 +104,7 @@ AskedLine line_of_barrier(const Model& model, std::string_view name, std::string
 std::vector<Vec3> foot_of(const Barrier& barrier) {
   std::vector<Vec3> foot;
   for (const Panel& panel : barrier.panels()) {
-    if (foot.empty() || (foot.back() - panel.foot).squaredNorm() > 1e-12) foot.push_back(panel.foot);
+    if (foot.empty() || (foot.back() - panel.foot).squared_norm() > 1e-12) foot.push_back(panel.foot);
     foot.emplace_back(panel.foot + panel.length * panel.along);
   }
   return foot;

@@ -28,8 +28,8 @@ std::vector<std::size_t> rocks_near(const RockPaths& paths, std::span<const Aske
   for (const AskedLine& line : lines) {
     double lean = 0;  // how far the top is from above the foot [m]
     std::vector<Vec2> foot;
-    for (const Vec3& p : foot_of(line.barrier)) foot.emplace_back(p.head<2>());
-    for (const Panel& panel : line.barrier.panels()) lean = std::max(lean, panel.height * panel.up.head<2>().norm());
+    for (const Vec3& p : foot_of(line.barrier)) foot.emplace_back(p.xy());
+    for (const Panel& panel : line.barrier.panels()) lean = std::max(lean, panel.height * panel.up.xy().norm());
     const auto near = paths.near(foot, lean + (is_sphere ? paths.largest_radius() : 0) + by_rounding);
     std::vector<std::size_t> both;
     std::ranges::set_union(places, near, std::back_inserter(both));

@@ -19,8 +19,7 @@ Motion motion_at(const PathPiece& piece, const Crossing& crossing) {
     // others change it in proportion to the time. No velocity points back from what the rock crosses.
     const auto& [start, end, end_spin] = piece.ends;
     const bool is_closed_form = piece.path.v == start && piece.path.velocity(piece.duration) == end;
-    motion.velocity =
-        is_closed_form ? piece.path.velocity(t) : Vec3(start + t / piece.duration * (end - start));
+    motion.velocity = is_closed_form ? piece.path.velocity(t) : start + t / piece.duration * (end - start);
     motion.velocity -= std::max(0.0, motion.velocity.dot(crossing.normal)) * crossing.normal;
   }
   return motion;
@@ -69,7 +68,7 @@ void PathCrossings::end(bool at_barrier) {
     constexpr double way = 1e-3;  // [m]
     const PathPiece& last = *last_;
     const double t = last.duration, speed = std::max(last.velocity(t).norm(), tolerance::least_passing_speed);
-    PathPiece more{.path = {last.path.at(t), last.velocity(t), Vec3::Zero()},
+    PathPiece more{.path = {last.path.at(t), last.velocity(t), Vec3{}},
                    .duration = way / speed,
                    .start_time = last.time(t),
                    .spin = last.spin_at(t),

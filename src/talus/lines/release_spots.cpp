@@ -58,7 +58,7 @@ class Spots {
   }
   /// A spot with the places `begin` to `end` - 1, if any rock starts there.
   template <class Middle>
-  void add(std::uint64_t begin, std::uint64_t end, SourceId source, Middle&& middle, const Vec2& size = Vec2::Zero()) {
+  void add(std::uint64_t begin, std::uint64_t end, SourceId source, Middle&& middle, const Vec2& size = Vec2{}) {
     const std::uint64_t rocks = order_.rocks_from(begin, end, order_.rocks);
     if (rocks > 0) spots_.push_back({rocks, number_, begin, source, middle(), size});
   }

@@ -14,8 +14,8 @@ struct ReleaseSpot {
   SeederId seeder;
   std::uint64_t first_place = 0;  // of the seeder's ReleaseOrder; up to that of the next spot
   SourceId source;
-  Vec3 place = Vec3::Zero();  // its middle, on the ground if its rocks are placed above it; local [m]
-  Vec2 size = Vec2::Zero();   // of a cell [m]; 0: not a cell
+  Vec3 place;  // its middle, on the ground if its rocks are placed above it; local [m]
+  Vec2 size;   // of a cell [m]; 0: not a cell
 };
 
 class ReleaseSpots {

@@ -68,10 +68,10 @@ void check(const RawMesh& mesh, Refusals& refusals) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3& v = mesh.vertices[i];
     const auto where = [&] { return fmt::format("vertex {} (zero-based)", i); };
-    if (!v.allFinite()) {
+    if (!v.is_finite()) {
       refusals.add(where(), fmt::format("({}, {}, {}) is not a position", v.x(), v.y(), v.z()),
                    "expected finite coordinates in metres");
-    } else if (v.cwiseAbs().maxCoeff() >= largest_coordinate_m) {
+    } else if (v.abs().largest() >= largest_coordinate_m) {
       refusals.add(where(), fmt::format("({}, {}, {}) is too far from the origin", v.x(), v.y(), v.z()),
                    fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m), "Are they in metres?");
     }
@@ -106,7 +106,7 @@ double height(const std::vector<Vec3>& vertices, const Corners& t) {
 
 void drop_degenerate(CleanMesh& mesh) {
   double largest = 0;
-  for (const Vec3& v : mesh.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  for (const Vec3& v : mesh.vertices) largest = std::max(largest, v.abs().largest());
   const double least = std::max(smallest_facet_height_m, 8 * std::numeric_limits<double>::epsilon() * largest);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

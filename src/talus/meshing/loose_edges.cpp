@@ -26,7 +26,7 @@ struct Facet {
     bool is_inside = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 along = corner[(k + 1) % 3] - corner[k], to_place = place - corner[k];
-      const double share = std::clamp(to_place.dot(along) / along.squaredNorm(), 0.0, 1.0);
+      const double share = std::clamp(to_place.dot(along) / along.squared_norm(), 0.0, 1.0);
       if ((to_place - share * along).norm() <= reach) return true;
       is_inside = is_inside && along.cross(to_place).dot(normal) >= 0;
     }
@@ -72,7 +72,7 @@ LooseEdges loose_edges(const std::vector<Vec3>& vertices, std::span<const std::a
   std::vector<Box> boxes;
   for (const MeshEdge& edge : boundary) {
     const Probe& probe = probes.emplace_back(probe_of(facet(edge.triangle), edge.edge, crack_m));
-    boxes.push_back({probe.place - Vec3::Constant(probe.reach), probe.place + Vec3::Constant(probe.reach)});
+    boxes.push_back({probe.place - Vec3::all(probe.reach), probe.place + Vec3::all(probe.reach)});
   }
 
   const Bvh tree{boxes};

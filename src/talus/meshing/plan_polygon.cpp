@@ -26,7 +26,7 @@ bool lies_between(const Vec2& a, const Vec2& b, const Vec2& p) {
 // A common point of two segments, if there is one.
 std::optional<Vec2> meeting(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double sc = side(a, b, c), sd = side(a, b, d), sa = side(c, d, a), sb = side(c, d, b);
-  if (sc * sd < 0 && sa * sb < 0) return Vec2(a + sa / (sa - sb) * (b - a));
+  if (sc * sd < 0 && sa * sb < 0) return a + sa / (sa - sb) * (b - a);
   if (sc == 0 && lies_between(a, b, c)) return c;
   if (sd == 0 && lies_between(a, b, d)) return d;
   if (sa == 0 && lies_between(c, d, a)) return a;
@@ -37,13 +37,13 @@ std::optional<Vec2> meeting(const Vec2& a, const Vec2& b, const Vec2& c, const V
 }  // namespace
 
 PlanPolygon::PlanPolygon(std::span<const std::vector<Vec3>> rings)
-    : low_(Vec2::Constant(std::numeric_limits<double>::infinity())), high_(-low_) {
+    : low_(Vec2::all(std::numeric_limits<double>::infinity())), high_(-low_) {
   double heights = 0;
   for (const std::vector<Vec3>& ring : rings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Vec2 a = ring[k].head(2), b = ring[k + 1 < ring.size() ? k + 1 : 0].head(2);
-      low_ = low_.cwiseMin(a);
-      high_ = high_.cwiseMax(a);
+      const Vec2 a = ring[k].xy(), b = ring[k + 1 < ring.size() ? k + 1 : 0].xy();
+      low_ = low_.min(a);
+      high_ = high_.max(a);
       if (a.y() == b.y()) continue;  // parallel to the lines along x that are intersected with it
       edges_.push_back(a.y() < b.y() ? Edge(a, b) : Edge(b, a));
       heights += std::abs(b.y() - a.y());

@@ -16,14 +16,14 @@ class PointBuckets {
  public:
   /// Refers to `points`, which must outlive it. About two points a square; fewer than 2^32 in all.
   explicit PointBuckets(std::span<const Vec2> points) : points_(points) {
-    Vec2 high = Vec2::Constant(-std::numeric_limits<double>::infinity());
+    Vec2 high = Vec2::all(-std::numeric_limits<double>::infinity());
     for (const Vec2& p : points) {
-      low_ = low_.cwiseMin(p);
-      high = high.cwiseMax(p);
+      low_ = low_.min(p);
+      high = high.max(p);
     }
-    const Vec2 size = points.empty() ? Vec2(0, 0) : Vec2(high - low_);
+    const Vec2 size = points.empty() ? Vec2(0, 0) : high - low_;
     const double wanted = std::max(1.0, 0.5 * static_cast<double>(points.size()));
-    const double area = size.x() * size.y(), longer = size.maxCoeff();
+    const double area = size.x() * size.y(), longer = size.largest();
     side_ = area > 0 ? std::max(std::sqrt(area / wanted), longer / 1e6) : std::max(longer / wanted, 1e-9);
     columns_ = static_cast<std::size_t>(size.x() / side_) + 1;
     rows_ = static_cast<std::size_t>(size.y() / side_) + 1;
@@ -56,7 +56,7 @@ class PointBuckets {
   [[nodiscard]] std::size_t bucket_of(const Vec2& p) const { return row(p.y()) * columns_ + column(p.x()); }
 
   std::span<const Vec2> points_;
-  Vec2 low_ = Vec2::Constant(std::numeric_limits<double>::infinity());
+  Vec2 low_ = Vec2::all(std::numeric_limits<double>::infinity());
   double side_ = 1;
   std::size_t columns_ = 1, rows_ = 1;
   std::vector<std::uint32_t> first_, numbers_;

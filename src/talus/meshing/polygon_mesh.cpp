@@ -24,7 +24,7 @@ struct Fault {
 
 // Twice the area vector of a ring, computed relative to its first point.
 Vec3 area_vector(const std::vector<Vec3>& ring) {
-  Vec3 sum = Vec3::Zero();
+  Vec3 sum;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += (ring[i] - ring[0]).cross(ring[i + 1] - ring[0]);
   return sum;
 }
@@ -38,7 +38,7 @@ class PolygonCut {
   [[nodiscard]] std::optional<Fault> fault() {
     for (const auto& ring : polygon_.rings) {
       for (const Vec3& p : ring) {
-        if (!(p.cwiseAbs().maxCoeff() < largest_coordinate_m)) {
+        if (!(p.abs().largest() < largest_coordinate_m)) {
           return Fault{"has the corner " + text(p),
                        fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m),
                        "Are they in metres?"};
@@ -57,7 +57,7 @@ class PolygonCut {
  private:
   std::optional<Fault> find_plane() {
     const std::vector<Vec3>& outer = polygon_.rings.front();
-    middle_ = Vec3::Zero();
+    middle_ = Vec3{};
     for (const Vec3& p : outer) middle_ += (p - outer[0]) / static_cast<double>(outer.size());
     middle_ += outer[0];
     double reach = 0;
@@ -67,29 +67,28 @@ class PolygonCut {
       return Fault{"has no area", "its corners lie on one line, its border doubles back, or its sides cross", ""};
     }
     normal_ = area.normalized();
-    Eigen::Index across = 0;
-    normal_.cwiseAbs().minCoeff(&across);
-    u_ = normal_.cross(Vec3::Unit(across)).normalized();
+    const std::size_t across = (-normal_.abs()).place_of_largest();
+    u_ = normal_.cross(across == 0 ? unit_x : across == 1 ? unit_y : unit_z).normalized();
     v_ = normal_.cross(u_);
     return std::nullopt;
   }
 
   // Rounds the corners to a grid in the plane; no two may coincide.
   std::optional<Fault> lay_out() {
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    Vec2 low = Vec2::all(std::numeric_limits<double>::infinity()), high = -low;
     double farthest = 0;
     std::vector<Vec2> flat;
     for (const auto& ring : polygon_.rings) {
       for (const Vec3& p : ring) {
         corners_.push_back(p);
         flat.emplace_back((p - middle_).dot(u_), (p - middle_).dot(v_));
-        low = low.cwiseMin(flat.back());
-        high = high.cwiseMax(flat.back());
+        low = low.min(flat.back());
+        high = high.max(flat.back());
         farthest = std::max(farthest, std::abs((p - middle_).dot(normal_)));
       }
     }
-    if ((high - low).maxCoeff() > ExactGrid::widest_m) {
-      return Fault{fmt::format("is {:.0f} m wide", (high - low).maxCoeff()),
+    if ((high - low).largest() > ExactGrid::widest_m) {
+      return Fault{fmt::format("is {:.0f} m wide", (high - low).largest()),
                    fmt::format("Talus triangulates up to {:.0f} m", ExactGrid::widest_m), "Are its corners in metres?"};
     }
     grid_ = ExactGrid::over(low, high);
@@ -117,7 +116,7 @@ class PolygonCut {
       for (std::uint32_t i = 0; i < corners; ++i) sides.add(first + i, first + (i + 1) % corners);
       first += corners;
     }
-    if (sides.report().crossings.count > 0) return crosses(sides.report().crossings.examples.front().head<2>());
+    if (sides.report().crossings.count > 0) return crosses(sides.report().crossings.examples.front().xy());
     // Every corner has two sides of its ring: more or fewer if a side passes through a corner.
     for (std::uint32_t v = 0; v < points_.size(); ++v) {
       if (fixed_sides(triangulation, v) != 2) return touches(corners_[v]);

@@ -50,7 +50,7 @@ class FacetCut {
   // How far along the edge a vertex lies (0 to 1), if it is within the tolerance of the edge and between its ends.
   [[nodiscard]] std::optional<double> place_on(std::uint32_t a, std::uint32_t b, std::uint32_t v) const {
     const Vec3 along = vertices_[b] - vertices_[a], to_v = vertices_[v] - vertices_[a];
-    const double share = to_v.dot(along) / along.squaredNorm();
+    const double share = to_v.dot(along) / along.squared_norm();
     if (!(share > 0 && share < 1) || (to_v - share * along).norm() > tolerance_) return std::nullopt;
     return share;
   }
@@ -114,7 +114,7 @@ Findings put_corners_into_sides(const std::vector<Vec3>& vertices, CutFacets& fa
   std::map<std::uint32_t, Passing> passings;  // by facet
   const Bvh tree{boxes};
   for (const std::uint32_t v : corners) {
-    const Vec3 place = vertices[v] - origin, reach = Vec3::Constant(tolerance_m);
+    const Vec3 place = vertices[v] - origin, reach = Vec3::all(tolerance_m);
     tree.visit_box(place - reach, place + reach, [&](std::uint32_t first, std::uint32_t last) {
       for (std::uint32_t k = first; k < last; ++k) {
         const MeshEdge& edge = edges[tree.order()[k]];

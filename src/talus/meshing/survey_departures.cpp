@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -40,23 +41,25 @@ std::optional<Departure> departure(const Triangulation& t, const std::vector<dou
       if (neighbour == Triangulation::infinity) return false;
       const GridPoint to = t.point(neighbour);
       const Vec3 row(double{1} * to.x - at.x, double{1} * to.y - at.y, 1);
-      take(row, 1 / row.head<2>().squaredNorm(), heights[neighbour] - base);
+      take(row, 1 / row.xy().squared_norm(), heights[neighbour] - base);
       side = t.next_around(side);
     } while (side.triangle != first.triangle);
     return true;
   };
 
-  Mat3 squares = Mat3::Zero();
-  Vec3 right = Vec3::Zero();
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
   double count = 0, weights = 0;
   const bool is_within = each_neighbour([&](const Vec3& row, double weight, double height) {
-    squares += weight * row * row.transpose();
-    right += weight * height * row;
+    const Eigen::Vector3d terms(row.x(), row.y(), row.z());
+    squares += weight * terms * terms.transpose();
+    right += weight * height * terms;
     weights += weight;
     ++count;
   });
   if (!is_within) return std::nullopt;
-  const Vec3 plane = squares.ldlt().solve(right);  // neighbours on all sides span a plane
+  const Eigen::Vector3d solution = squares.ldlt().solve(right);  // neighbours on all sides span a plane
+  const Vec3 plane(solution.x(), solution.y(), solution.z());
   if (count < 4) return Departure{-plane.z(), std::numeric_limits<double>::infinity()};
   double sum = 0;
   each_neighbour([&](const Vec3& row, double weight, double height) {

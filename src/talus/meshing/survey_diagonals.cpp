@@ -24,7 +24,8 @@ double off_circle(GridPoint a, GridPoint b, GridPoint c, GridPoint d) {
   const Vec2 u = from_a(b), v = from_a(c);
   const double area = 2 * (u.x() * v.y() - u.y() * v.x());
   const Vec2 centre =
-      Vec2(v.y() * u.squaredNorm() - u.y() * v.squaredNorm(), u.x() * v.squaredNorm() - v.x() * u.squaredNorm()) / area;
+      Vec2(v.y() * u.squared_norm() - u.y() * v.squared_norm(), u.x() * v.squared_norm() - v.x() * u.squared_norm()) /
+      area;
   return std::abs((from_a(d) - centre).norm() / centre.norm() - 1);
 }
 

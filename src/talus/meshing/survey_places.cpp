@@ -21,17 +21,17 @@ void each_vertex(const Survey& survey, Take&& take) {
 }
 
 ExactGrid grid_over(const Survey& survey, const std::string& source) {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Vec2 low = Vec2::all(std::numeric_limits<double>::infinity()), high = -low;
   each_vertex(survey, [&](const Vec3& p) {
-    if (!(p.cwiseAbs().maxCoeff() < largest_coordinate_m)) {
+    if (!(p.abs().largest() < largest_coordinate_m)) {
       refuse_survey(source, fmt::format("({:.10g}, {:.10g}, {:.10g}) is too far from the origin", p.x(), p.y(), p.z()),
                     fmt::format("coordinates must be smaller than {:g} m", largest_coordinate_m),
                     "Are they in metres?");
     }
-    low = low.cwiseMin(p.head<2>());
-    high = high.cwiseMax(p.head<2>());
+    low = low.min(p.xy());
+    high = high.max(p.xy());
   });
-  const double width = (high - low).maxCoeff();
+  const double width = (high - low).largest();
   if (width > ExactGrid::widest_m) {
     refuse_survey(source, fmt::format("the survey is {:.0f} m wide", width),
                   fmt::format("Talus triangulates up to {:.0f} m", ExactGrid::widest_m),

@@ -88,7 +88,7 @@ void report_rim(const Triangulation& t, const SurveyPlaces& places, const std::v
       const Side side{i, k};
       if (!kept[i] || kept[t.triangles()[i].neighbour[k]] || t.is_fixed(side)) continue;
       const Vec3 from = places.place(t.from(side)), to = places.place(t.to(side));
-      const double length = (to - from).head<2>().norm();
+      const double length = (to - from).xy().norm();
       if (length <= report.longest_rim_m) continue;
       report.longest_rim_m = length;
       report.longest_rim_at = 0.5 * (from + to);

@@ -75,14 +75,14 @@ void report_shape(const RawMesh& mesh, const std::vector<std::uint8_t>& is_on_li
     bool is_sliver = false;
     for (std::size_t k = 0; k < 3; ++k) {
       along[k] = p[(k + 1) % 3] - p[k];
-      const double length = along[k].head<2>().norm();
+      const double length = along[k].xy().norm();
       sides.push_back(static_cast<float>(length));
       if (length <= report.longest_side_m) continue;
       report.longest_side_m = length;
       report.longest_side_at = p[k] + 0.5 * along[k];
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2 u = along[k].head<2>(), v = -along[(k + 2) % 3].head<2>();
+      const Vec2 u = along[k].xy(), v = -along[(k + 2) % 3].xy();
       is_sliver = is_sliver || u.dot(v) > least * u.norm() * v.norm();
     }
     const Vec3 middle = (p[0] + p[1] + p[2]) / 3;

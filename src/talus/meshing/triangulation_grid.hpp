@@ -33,7 +33,7 @@ class ExactGrid {
   ExactGrid() = default;
   /// Over the box from `low` to `high` [m], at most widest_m wide.
   [[nodiscard]] static ExactGrid over(const Vec2& low, const Vec2& high) {
-    const double width = (high - low).maxCoeff();
+    const double width = (high - low).largest();
     ExactGrid grid;
     int power = finest;
     // One step is kept free on each side because both ends are rounded.

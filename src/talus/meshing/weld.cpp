@@ -51,8 +51,8 @@ class Cubes {
   [[nodiscard]] std::optional<std::uint32_t> nearest(const std::vector<Vec3>& vertices, const Vec3& place) const {
     std::optional<std::uint32_t> best;
     double best_distance = tolerance_ * tolerance_;
-    const Cube low = cube_of(place - Vec3::Constant(tolerance_));
-    const Cube high = cube_of(place + Vec3::Constant(tolerance_));
+    const Cube low = cube_of(place - Vec3::all(tolerance_));
+    const Cube high = cube_of(place + Vec3::all(tolerance_));
     for (int corner = 0; corner < 8; ++corner) {
       Cube cube = low;
       bool is_new = true;
@@ -64,7 +64,7 @@ class Cubes {
       const auto found = is_new ? cubes_.find(cube) : cubes_.end();
       if (found == cubes_.end()) continue;
       for (const std::uint32_t vertex : found->second) {
-        const double distance = (vertices[vertex] - place).squaredNorm();
+        const double distance = (vertices[vertex] - place).squared_norm();
         if (distance < best_distance || (distance == best_distance && (!best || vertex < *best))) {
           best = vertex;
           best_distance = distance;

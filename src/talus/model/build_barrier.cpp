@@ -29,12 +29,12 @@ BarrierFoot foot_of(const Model& model, std::span<const std::array<double, 2>> l
       const Vec3& p = draped[i];
       // There is a point wherever the ground bends, so between two points there is either ground throughout or none.
       if (i > 0) {
-        const Vec2 piece = (p - draped[i - 1]).head<2>();
-        if (has_ground_at(model, draped[i - 1].head<2>() + 0.5 * piece)) foot.on_ground += piece.norm();
+        const Vec2 piece = (p - draped[i - 1]).xy();
+        if (has_ground_at(model, draped[i - 1].xy() + 0.5 * piece)) foot.on_ground += piece.norm();
       }
-      if (!foot.points.empty() && (p - foot.points.back()).squaredNorm() < 1e-12) continue;
+      if (!foot.points.empty() && (p - foot.points.back()).squared_norm() < 1e-12) continue;
       foot.points.push_back(p);
-      foot.stations.push_back(foot.given + (p.head<2>() - from).norm());
+      foot.stations.push_back(foot.given + (p.xy() - from).norm());
     }
     foot.given += (to - from).norm();
   }

@@ -216,26 +216,24 @@ class SeederBuilder {
     for (const Vec3& p : line) good = check_on_terrain(s, p, which) && good;
     if (!good || !is_on_ground || std::holds_alternative<Profile>(*model_.surface)) return good;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
-      const Vec2 from = line[k].head(2), to = line[k + 1].head(2);
+      const Vec2 from = line[k].xy(), to = line[k + 1].xy();
       std::vector<Vec3> ground;
       if (const auto* mesh = std::get_if<TriangleMesh>(&*model_.surface)) ground = mesh->draped(from, to);
       if (const auto* raster = std::get_if<RasterSurface>(&*model_.surface)) ground = raster->draped(from, to);
       // There is a point wherever the ground bends, so between two points there is either ground throughout or none.
       for (std::size_t i = 0; i + 1 < ground.size(); ++i) {
         const Vec3 between = 0.5 * (ground[i] + ground[i + 1]);
-        if (is_on_terrain(between.head(2))) continue;
+        if (is_on_terrain(between.xy())) continue;
         good = check_on_terrain(s, between, which) && good;
       }
     }
     return good;
   }
 
-  [[nodiscard]] bool is_on_certain_terrain(const Vec3& at) const {
-    return !model_.varying && is_on_terrain(at.head(2));
-  }
+  [[nodiscard]] bool is_on_certain_terrain(const Vec3& at) const { return !model_.varying && is_on_terrain(at.xy()); }
 
   bool check_on_terrain(const Seeder& s, const Vec3& at, const std::string& which = "") {
-    if (is_on_terrain(at.head(2))) return check_on_varied_section(s, at.x(), which);
+    if (is_on_terrain(at.xy())) return check_on_varied_section(s, at.x(), which);
     if (++off_terrain_ > most_reported) return false;
     const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *model_.surface);
     const Vec3 low = model_.frame.global_from_local(box.low), high = model_.frame.global_from_local(box.high);
@@ -252,16 +250,16 @@ class SeederBuilder {
                       : fmt::format("on plan the terrain lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}",
                                     low.x(), high.x(), low.y(), high.y()),
                   project_.terrain.rotate_deg != 0 ? "terrain.rotate_deg rotates only the terrain, not the seeders"
-                  : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).head(2)) ? swapped_hint
-                  : !is_flat                                                        ? hint_for_zone(p, low.x())
-                                                                                    : "");
+                  : !is_flat && is_on_terrain(local({p.y(), p.x(), p.z()}).xy()) ? swapped_hint
+                  : !is_flat                                                     ? hint_for_zone(p, low.x())
+                                                                                 : "");
   }
 
   /// If a place lies on the terrain with the number of a zone in front of its easting, or without it. Empty if not.
   [[nodiscard]] std::string hint_for_zone(const Vec3& p, double terrain_x) const {
     const double shift =
         (std::floor(terrain_x / metres_per_zone) - std::floor(p.x() / metres_per_zone)) * metres_per_zone;
-    if (shift == 0 || !is_on_terrain(local({p.x() + shift, p.y(), p.z()}).head(2))) return "";
+    if (shift == 0 || !is_on_terrain(local({p.x() + shift, p.y(), p.z()}).xy())) return "";
     return fmt::format("With x = {:.10g} it would lie on the terrain: eastings may begin with the number of a zone",
                        p.x() + shift);
   }

@@ -34,9 +34,9 @@ void add_soft_lines(SurveyFiles& files, const SurveyOptions& options) {
                      "Cut it to the area of the points, or give it heights");
         break;
       }
-      for (const Vec3& p : ground.draped(from.head<2>(), to.head<2>())) {
+      for (const Vec3& p : ground.draped(from.xy(), to.xy())) {
         const Vec3 at = frame.global_from_local(p);
-        if (draped.empty() || draped.back().head<2>() != at.head<2>()) draped.push_back(at);
+        if (draped.empty() || draped.back().xy() != at.xy()) draped.push_back(at);
       }
     }
     files.survey.lines.push_back(std::move(draped));

@@ -64,7 +64,7 @@ void refuse_degrees(const RawMesh& mesh, const Project& project) {
   for (const Vec3& v : mesh.vertices) box.grow(v);
   const Vec3 size = box.high - box.low;
   const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 && box.high.y() <= 90;
-  if (!may_be_degrees || size.head(2).maxCoeff() > widest || size.z() < steepest * size.head(2).maxCoeff()) return;
+  if (!may_be_degrees || size.xy().largest() > widest || size.z() < steepest * size.xy().largest()) return;
   throw BadInput(
       Problem{.file = project.terrain.meshes.front().string(),
               .what = "seems to be in degrees",
@@ -75,7 +75,7 @@ void refuse_degrees(const RawMesh& mesh, const Project& project) {
 
 /// Heights beyond those of any ground, as in rasters.
 void refuse_heights(const RawMesh& mesh, const std::filesystem::path& file, UpAxis up) {
-  const Eigen::Index axis = up == UpAxis::y ? 1 : 2;
+  const std::size_t axis = up == UpAxis::y ? 1 : 2;
   std::size_t impossible = 0;
   double farthest_from_0 = 0;
   for (const Vec3& v : mesh.vertices) {

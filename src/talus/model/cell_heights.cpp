@@ -29,7 +29,7 @@ double CellHeights::count(const Model& model, double cell) {
 }
 
 CellHeights::CellHeights(const Model& model, double cell) : model_(model) {
-  const Vec2 origin = model.frame.origin.head(2);
+  const Vec2 origin = model.frame.origin.xy();
   if (const auto* raster = std::get_if<RasterSurface>(&*model.surface)) {
     raster_ = &raster->grid();
     grid_ = {Vec2(raster_->x0, raster_->y0) + origin, raster_->dx, raster_->dy, raster_->columns, raster_->rows};

@@ -108,19 +108,17 @@ class Chooser {
   /// Adds the cells within each part of each feature; later features replace earlier ones.
   bool add_cells_within_polygons() {
     std::vector<Candidate> found;
-    Vec2 low = Vec2::Constant(infinity), high = -low;
+    Vec2 low = Vec2::all(infinity), high = -low;
     const Vec2 half(0.5 * grid_.dx, 0.5 * grid_.dy), south_west = grid_.first - half;
     const Vec2 north_east = Vec2(grid_.x(grid_.columns - 1), grid_.y(grid_.rows - 1)) + half;
     std::uint64_t polygons = 0, elsewhere = 0, beyond = 0;
     const auto take = [&](const std::vector<std::vector<Vec3>>& rings, SourceId source) {
       const PlanPolygon polygon(rings);
       ++polygons;
-      low = low.cwiseMin(polygon.low());
-      high = high.cwiseMax(polygon.high());
-      const bool touches =
-          (polygon.low().array() <= north_east.array()).all() && (polygon.high().array() >= south_west.array()).all();
-      const bool reaches_beyond =
-          (polygon.low().array() < south_west.array()).any() || (polygon.high().array() > north_east.array()).any();
+      low = low.min(polygon.low());
+      high = high.max(polygon.high());
+      const bool touches = polygon.low().is_at_most(north_east) && south_west.is_at_most(polygon.high());
+      const bool reaches_beyond = !south_west.is_at_most(polygon.low()) || !polygon.high().is_at_most(north_east);
       elsewhere += touches ? 0 : 1;
       beyond += touches && reaches_beyond ? 1 : 0;
       if (!touches) return;
@@ -319,7 +317,7 @@ class Chooser {
     });
     ReleaseCells cells;
     const Vec2 corner = grid_.first - Vec2(0.5 * grid_.dx, 0.5 * grid_.dy);
-    cells.corner = corner - Vec2(context_.model.frame.origin.head(2));
+    cells.corner = corner - Vec2(context_.model.frame.origin.xy());
     cells.dx = grid_.dx;
     cells.dy = grid_.dy;
     cells.columns = grid_.columns;

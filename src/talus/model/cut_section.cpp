@@ -44,7 +44,7 @@ std::vector<SectionVertex> cut_section(const ModelSurface& surface, const LocalF
                                        std::span<const std::array<double, 2>> line, double tolerance,
                                        std::string_view where) {
   std::vector<Vec2> local;
-  for (const auto& [x, y] : line) local.push_back(frame.local_from_global({x, y, 0}).head<2>());
+  for (const auto& [x, y] : line) local.push_back(frame.local_from_global({x, y, 0}).xy());
   const std::vector<SectionPoint> ground = ground_along(surface, local, where);
   refuse_gaps(ground, where);
   if (ground.empty() || !(ground.back().distance > 0))

@@ -16,22 +16,20 @@ struct Segment {
 std::optional<Segment> part_of_foot(const Panel& panel, double from, double to) {
   const double begin = std::max(from, panel.station), end = std::min(to, panel.station + panel.plan_length);
   if (begin > end || (begin == end && panel.plan_length > 0 && from < to)) return std::nullopt;
-  const Vec2 foot = panel.foot.head<2>(), along = panel.along.head<2>() * panel.length;
+  const Vec2 foot = panel.foot.xy(), along = panel.along.xy() * panel.length;
   const auto at = [&](double station) -> Vec2 {
-    return panel.plan_length > 0 ? Vec2(foot + along * ((station - panel.station) / panel.plan_length)) : foot;
+    return panel.plan_length > 0 ? foot + along * ((station - panel.station) / panel.plan_length) : foot;
   };
   return Segment{at(begin), at(end)};
 }
 
-Segment whole_foot_of(const Panel& panel) {
-  return {panel.foot.head<2>(), (panel.foot + panel.along * panel.length).head<2>()};
-}
+Segment whole_foot_of(const Panel& panel) { return {panel.foot.xy(), (panel.foot + panel.along * panel.length).xy()}; }
 
 double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 double distance_to(const Vec2& p, const Segment& s) {
   const Vec2 along = s.end - s.begin;
-  const double size = along.squaredNorm();
+  const double size = along.squared_norm();
   const double t = size > 0 ? std::clamp((p - s.begin).dot(along) / size, 0.0, 1.0) : 0;
   return (p - s.begin - t * along).norm();
 }
@@ -85,7 +83,7 @@ class Seen {
 std::vector<LinePiece> pieces_of(const talus::Barrier& barrier) {
   std::vector<LinePiece> pieces;
   for (const Panel& panel : barrier.panels()) {
-    const Vec2 along = panel.along.head<2>();
+    const Vec2 along = panel.along.xy();
     if (along.norm() == 0) continue;
     const Vec2 unit = along.normalized();
     // Panels between two bends of the line share its direction.

@@ -100,14 +100,14 @@ void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Probl
 void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& warnings) {
   // The sum of the facets' area vectors is the same for all surfaces with this rim: it gives the orientation of the
   // mesh as a whole, whatever its hills. (With inconsistent winding it is small and has no meaning.)
-  Vec3 area = Vec3::Zero();
+  Vec3 area;
   for (const auto& [a, b, c] : mesh.triangles) {
     if (std::max({a, b, c}) >= mesh.vertices.size()) return;  // refused later
     area += (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]);
   }
   constexpr double steepest_tilt_deg = 60;
-  const double tilt = degrees(area.head<2>().norm() / std::abs(area.z()));
-  if (!area.allFinite() || area.norm() == 0 || !(tilt > steepest_tilt_deg)) return;
+  const double tilt = degrees(area.xy().norm() / std::abs(area.z()));
+  if (!area.is_finite() || area.norm() == 0 || !(tilt > steepest_tilt_deg)) return;
   const char* axis = std::abs(area.y()) > std::abs(area.x()) ? "y" : "x";
   warn_of_terrain(project, quoted_names(project), "seems to lie on its side",
                   fmt::format("as a whole it is {:.0f} degrees steep and faces along {}; z points up", tilt, axis),
@@ -124,7 +124,7 @@ void warn_of_high_terrain(const Vec3& size, const Project& project, Problems& wa
   }
   constexpr double km = 1000, millimetres = 1e-3;
   warn_of_terrain(
-      project, name, fmt::format("is {:.3g} km high and {:.3g} km wide", size.z() / km, size.head<2>().maxCoeff() / km),
+      project, name, fmt::format("is {:.3g} km high and {:.3g} km wide", size.z() / km, size.xy().largest() / km),
       fmt::format(
           "no slope is that high, so its coordinates seem not to be in metres; as millimetres it would be {:.3g} m "
           "high",

@@ -127,7 +127,7 @@ void put(ByteWriter& out, const talus::Seeder& seeder) {
   out.flag(above_surface.has_value());
   out.put(above_surface.value_or(0));
   out.flag(direction.has_value());
-  put(out, direction.value_or(Vec3::Zero()));
+  put(out, direction.value_or(Vec3{}));
   put_samples(out, size, density, horizontal, vertical, spin, speed);
 }
 

@@ -17,8 +17,7 @@ Problem without_effect(const Project& project, const Area& area, const BuiltTerr
                   .what = "has no effect"};
   const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *terrain.surface);
   const Vec3 low = terrain.frame.global_from_local(box.low), high = terrain.frame.global_from_local(box.high);
-  const bool is_beyond =
-      (polygon.low().array() > high.head(2).array()).any() || (polygon.high().array() < low.head(2).array()).any();
+  const bool is_beyond = !polygon.low().is_at_most(high.xy()) || !low.xy().is_at_most(polygon.high());
   if (is_beyond) {
     problem.why = fmt::format(
         "its polygon lies outside the terrain, which extends over x = {:.10g} to {:.10g}, y = {:.10g} "

@@ -19,7 +19,7 @@ class GroundParts {
       raster_ = raster;
       const RasterGrid& grid = raster->grid();
       const Vec2 first(grid.x0 + 0.5 * grid.dx, grid.y0 + 0.5 * grid.dy);
-      grid_ = {first + Vec2(terrain.frame.origin.head(2)), grid.dx, grid.dy, grid.columns - 1, grid.rows - 1};
+      grid_ = {first + Vec2(terrain.frame.origin.xy()), grid.dx, grid.dy, grid.columns - 1, grid.rows - 1};
     } else {
       buckets_.emplace(terrain.facet_centres);
     }

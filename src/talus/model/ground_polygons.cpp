@@ -146,17 +146,17 @@ class Assignment {
   void assign() {
     of_part_.assign(parts_.count(), nothing);
     const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *terrain_.surface);
-    const Vec2 south_west = terrain_.frame.global_from_local(box.low).head(2);
-    const Vec2 north_east = terrain_.frame.global_from_local(box.high).head(2);
-    Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    const Vec2 south_west = terrain_.frame.global_from_local(box.low).xy();
+    const Vec2 north_east = terrain_.frame.global_from_local(box.high).xy();
+    Vec2 low = Vec2::all(std::numeric_limits<double>::infinity()), high = -low;
     std::uint64_t elsewhere = 0;
     for (std::size_t f = 0; f < layer_.features.size(); ++f) {
       bool touches = false;
       for (const VectorShape& part : layer_.features[f].parts) {
         const PlanPolygon polygon(part.lists);
-        low = low.cwiseMin(polygon.low());
-        high = high.cwiseMax(polygon.high());
-        if ((polygon.low().array() > north_east.array()).any() || (polygon.high().array() < south_west.array()).any()) {
+        low = low.min(polygon.low());
+        high = high.max(polygon.high());
+        if (!polygon.low().is_at_most(north_east) || !south_west.is_at_most(polygon.high())) {
           continue;
         }
         touches = true;

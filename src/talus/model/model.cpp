@@ -87,7 +87,7 @@ double capacity_of(const Barrier& barrier) { return barrier.capacity_kJ * 1000; 
 
 RunoutFrame runout_frame_of(const Output& output, const LocalFrame& frame) {
   const auto local = [&](const std::array<double, 2>& p) -> Vec2 {
-    return frame.local_from_global({p[0], p[1], 0}).head<2>();
+    return frame.local_from_global({p[0], p[1], 0}).xy();
   };
   if (output.runout_from) return RunoutFrame::from(local(*output.runout_from));
   if (output.runout_along.empty()) return {};

@@ -136,7 +136,7 @@ class RowReader {
 
   /// In the user's coordinates.
   Vec3 place_of(ReleaseRow& given) {
-    Vec3 place = row_->point.value_or(Vec3::Zero());
+    Vec3 place = row_->point.value_or(Vec3{});
     if (!row_->point) {
       for (const Column column : {x, y}) {
         if (is_2d_ && column == y) continue;
@@ -163,8 +163,8 @@ class RowReader {
   Vec3 vector_of(Column first, Column second, Column third, const char* kind) {
     const std::array columns{first, second, third};
     const bool is_given = std::ranges::any_of(columns, [&](Column column) { return has(column); });
-    if (!is_given) return Vec3::Constant(ReleaseRow::none);
-    Vec3 vector = Vec3::Zero();
+    if (!is_given) return Vec3::all(ReleaseRow::none);
+    Vec3 vector;
     for (std::size_t k = 0; k < columns.size(); ++k) {
       if (!columns_.has(columns[k])) continue;
       const std::string name = facts_of(columns[k]).name();
@@ -176,7 +176,7 @@ class RowReader {
       const bool is_in_plane = kind == std::string_view("spin") ? k == 1 : k != 1;
       if (is_2d_ && !is_in_plane && value(columns[k]) != 0)
         refuse(fmt::format("{} is {:g}", name, value(columns[k])), "in a section it is 0");
-      vector[static_cast<Eigen::Index>(k)] = value(columns[k]);
+      vector[k] = value(columns[k]);
     }
     return vector;
   }

@@ -50,9 +50,9 @@ std::optional<CommonFrame> common_frame(const RunFolder& run) {
     return CommonFrame{RunoutFrame::along(std::move(line)), "along the line"};
   }
   if (run.paths.items.empty()) return std::nullopt;
-  Vec2 mean = Vec2::Zero();
+  Vec2 mean;
   for (const Path& path : run.paths.items)
-    mean += Vec2(path.rows.front().position_m.data()) / static_cast<double>(run.paths.items.size());
+    mean += vector(path.rows.front().position_m).xy() / static_cast<double>(run.paths.items.size());
   return CommonFrame{RunoutFrame::from(mean), "from the mean release"};
 }
 

@@ -30,7 +30,7 @@ LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const
                            const FirstCrossing& crossing) {
   const double velocity = crossing.motion->velocity.norm();
   const double translational = 0.5 * rock.mass * velocity * velocity;
-  const double total = translational + 0.5 * rock.inertia * crossing.motion->spin.squaredNorm();
+  const double total = translational + 0.5 * rock.inertia * crossing.motion->spin.squared_norm();
   const double energy = energy_to_check(plan.factors, translational, total, velocity);
   constexpr double by_rounding = 1e-6;  // lowest point of a rock that rolls on the ground [m]
   const double lowest = crossing.lowest > by_rounding ? crossing.lowest : 0;

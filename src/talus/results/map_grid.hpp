@@ -26,18 +26,18 @@ class MapGrid {
   static constexpr double most_cells_across = 2e9;
   /// `origin` is a corner of cell (0, 0) in user coordinates [m]; `cell` has the lengths of its sides [m], above 0.
   MapGrid(const Vec2& origin, const Vec2& cell, const LocalFrame& frame)
-      : origin_(origin), local_(origin - frame.origin.head<2>()), cell_(cell) {}
+      : origin_(origin), local_(origin - frame.origin.xy()), cell_(cell) {}
   MapGrid(const Vec2& origin, double cell, const LocalFrame& frame) : MapGrid(origin, Vec2(cell, cell), frame) {}
   /// A grid with borders at multiples of the cell's size in user coordinates, so that the maps of different runs match;
   /// cell (0, 0) contains the local point `low`.
   [[nodiscard]] static MapGrid at_multiples(double cell, const LocalFrame& frame, const Vec2& low) {
-    const Vec2 global = low + frame.origin.head<2>();
+    const Vec2 global = low + frame.origin.xy();
     return {Vec2(std::floor(global.x() / cell) * cell, std::floor(global.y() / cell) * cell), cell, frame};
   }
   /// The cells of a raster, whose node with the lowest coordinates is at the local point `node`. A node is the centre
   /// of a cell, as GDAL defines the pixels of an elevation raster.
   [[nodiscard]] static MapGrid around_nodes(const Vec2& node, const Vec2& spacing, const LocalFrame& frame) {
-    return {node + frame.origin.head<2>() - 0.5 * spacing, spacing, frame};
+    return {node + frame.origin.xy() - 0.5 * spacing, spacing, frame};
   }
 
   [[nodiscard]] const Vec2& origin() const { return origin_; }

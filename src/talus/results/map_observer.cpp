@@ -98,12 +98,12 @@ class MapObserver::Part : public ObserverPart {
 
  private:
   [[nodiscard]] static bool leads_anywhere(const PathPiece& piece) {
-    return (piece.path.at(piece.duration) - piece.path.p).squaredNorm() > no_way * no_way;
+    return (piece.path.at(piece.duration) - piece.path.p).squared_norm() > no_way * no_way;
   }
 
   void follow(const PathPiece& piece, const Rock& rock) {
     // Most pieces on the ground are steps of a few centimetres: they need no traversal.
-    if (piece.on_ground && piece.path.a.isZero(0) && grid_.holds(cell_, piece.path.p) &&
+    if (piece.on_ground && piece.path.a == Vec3{} && grid_.holds(cell_, piece.path.p) &&
         grid_.holds(cell_, piece.path.at(piece.duration))) {
       note(cells_.at(cell_), piece, rock);
     } else {
@@ -153,11 +153,11 @@ class MapObserver::Part : public ObserverPart {
 
   /// Most steps of a glide, of a few centimetres each, stay in the cell: only the fastest of them counts.
   void glide(const RockLog& log, const PathPiece& piece, const Rock& rock) {
-    const double rotational = 0.5 * rock.inertia * piece.spin.squaredNorm();
+    const double rotational = 0.5 * rock.inertia * piece.spin.squared_norm();
     const auto steps = std::span(log.glide_steps).subspan(piece.steps.first, piece.steps.count);
     const GlideOnPlan plan(piece);
     MapGrid::Borders cell = grid_.borders(cell_);
-    double before = piece.ends.start_velocity.squaredNorm();
+    double before = piece.ends.start_velocity.squared_norm();
     double fastest = -1;  // squared [m2/s2], of the steps in this cell that are not yet noted
     const auto note_fastest = [&] {
       if (fastest >= 0) raise_motion(cells_.at(cell_), fastest, rock, rotational);

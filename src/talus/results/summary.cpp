@@ -17,7 +17,7 @@ Runout runout(const RockOutcome& outcome, const RunoutFrame& frame) {
   const Vec3& start = outcome.start.position;
   const Vec3& end = outcome.end.position;
   const Vec3 d = end - start;
-  const RunoutPlace place = frame.of(start.head<2>(), end.head<2>());
+  const RunoutPlace place = frame.of(start.xy(), end.xy());
   return {place.runout, -d.z(), d.norm(), place.lateral};
 }
 
@@ -221,7 +221,7 @@ class SummaryPart : public ObserverPart {
       const double speed = hit.motion.velocity.norm();
       const double translational = 0.5 * record.body.mass * speed * speed;
       tally.translational_energy.add(translational);
-      tally.total_energy.add(translational + 0.5 * record.body.inertia * hit.motion.spin.squaredNorm());
+      tally.total_energy.add(translational + 0.5 * record.body.inertia * hit.motion.spin.squared_norm());
       tally.height.add(hit.height);
       tally.velocity.add(speed);
       ++tally.outcomes[static_cast<std::size_t>(hit.outcome)];

@@ -74,7 +74,7 @@ struct BarrierTally {
 /// All counts and sums over rocks. Positions are in user coordinates.
 struct Summary {
   /// `origin`: a place near the terrain, for the quantiles of positions.
-  Summary(std::uint64_t planned_rocks, std::size_t barriers, const Vec3& origin = Vec3::Zero());
+  Summary(std::uint64_t planned_rocks, std::size_t barriers, const Vec3& origin = Vec3{});
   /// Expects a summary of the same barriers, or of none.
   void merge(const Summary& other);
   void save(ByteWriter& out) const;

@@ -8,12 +8,12 @@ namespace talus {
 
 /// m v^2 / 2 [J].
 [[nodiscard]] inline double translational_energy(const Rock& rock, const Motion& motion) {
-  return 0.5 * rock.mass * motion.velocity.squaredNorm();
+  return 0.5 * rock.mass * motion.velocity.squared_norm();
 }
 
 /// I w^2 / 2 [J].
 [[nodiscard]] inline double rotational_energy(const Rock& rock, const Motion& motion) {
-  return 0.5 * rock.inertia * motion.spin.squaredNorm();
+  return 0.5 * rock.inertia * motion.spin.squared_norm();
 }
 
 }  // namespace talus

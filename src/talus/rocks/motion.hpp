@@ -7,10 +7,10 @@ namespace talus {
 
 /// Position and velocity of a rock's centre, and its spin. A lumped mass is its centre.
 struct Motion {
-  Vec3 position = Vec3::Zero();  // [m]
-  Vec3 velocity = Vec3::Zero();  // [m/s]
-  Vec3 spin = Vec3::Zero();      // angular velocity [rad/s]
-  double time = 0;               // since release [s]
+  Vec3 position;    // [m]
+  Vec3 velocity;    // [m/s]
+  Vec3 spin;        // angular velocity [rad/s]
+  double time = 0;  // since release [s]
 };
 
 /// The state in a row of a path. `impact` and `barrier` are arrivals; in the others the rock leaves.

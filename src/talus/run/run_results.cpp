@@ -36,9 +36,9 @@ namespace {
 /// The cells of the maps: of the project's size, or those of the terrain's raster.
 template <class Surface>
 MapGrid map_grid(const Project& project, const LocalFrame& frame, const Surface& surface) {
-  const Vec2 low = surface.bounds().low.head(2);
+  const Vec2 low = surface.bounds().low.xy();
   if (const auto cell = project.output.raster_cell_m) {
-    const double across = (surface.bounds().high.head(2) - low).maxCoeff() / *cell;
+    const double across = (surface.bounds().high.xy() - low).largest() / *cell;
     if (across < MapGrid::most_cells_across) return MapGrid::at_multiples(*cell, frame, low);
     throw BadInput(Problem{.file = project.file.string(),
                            .where = "[output]",

@@ -79,8 +79,8 @@ class SizedMaps {
     std::visit(
         [&](const auto& surface) {
           const Box bounds = surface.bounds();
-          const Vec2 size = (bounds.high - bounds.low).head(2);
-          most_cells_ = ((size.array() / maps_->maps().grid().cell().array()).ceil() + 1).prod();
+          const Vec2 size = (bounds.high - bounds.low).xy(), cell = maps_->maps().grid().cell();
+          most_cells_ = (std::ceil(size.x() / cell.x()) + 1) * (std::ceil(size.y() / cell.y()) + 1);
         },
         *model.surface);
   }

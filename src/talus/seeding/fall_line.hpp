@@ -12,8 +12,8 @@ template <class Surface>
   constexpr double level = 1e-9;  // of a slope
   if (const auto ground = surface.ground_over(place)) place.z() = *ground;
   const auto below = surface.ground_below(place);
-  const Vec3 down = below ? tangential(-Vec3::UnitZ(), surface.normal(below->facet)) : Vec3(Vec3::Zero());
-  return down.norm() > level ? Vec3(down.normalized()) : Vec3(Vec3::UnitX());
+  const Vec3 down = below ? tangential(-unit_z, surface.normal(below->facet)) : Vec3{};
+  return down.norm() > level ? down.normalized() : unit_x;
 }
 
 }  // namespace talus

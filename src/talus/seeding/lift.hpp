@@ -85,7 +85,7 @@ template <class Surface>
     }
     // Next to an edge or a corner it was raised too far, and is lowered again until it touches.
     const double rise = centre.z() - place.z();
-    const auto touched = surface.first_contact({centre, {0, 0, -1}, Vec3::Zero()}, radius, rise);
+    const auto touched = surface.first_contact({centre, {0, 0, -1}, Vec3{}}, radius, rise);
     const double down = touched ? touched->t : rise;
     if (down > by_rounding) centre.z() -= down;
   }

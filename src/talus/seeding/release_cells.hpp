@@ -19,9 +19,9 @@ struct ReleaseCells {
     SourceId source;
   };
 
-  Vec2 corner = Vec2::Zero();  // south-west, of cell 0; local [m]
-  double dx = 1, dy = 1;       // of a cell [m]
-  std::uint32_t columns = 1;   // of the grid
+  Vec2 corner;                // south-west, of cell 0; local [m]
+  double dx = 1, dy = 1;      // of a cell [m]
+  std::uint32_t columns = 1;  // of the grid
   /// Numbers of cells, row by row from the south-west; unique, and along Hilbert's curve, within a source.
   std::vector<std::uint32_t> cells;
   std::vector<Run> sources;  // in ascending order; the first begins at 0

@@ -53,12 +53,12 @@ SourceId ReleaseTable::source_of(std::size_t row) const {
 }
 
 void ReleaseTable::order_by_place() {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  Vec2 low = Vec2::all(std::numeric_limits<double>::infinity()), high = -low;
   for (const Vec3& place : places_) {
-    low = low.cwiseMin(place.head<2>());
-    high = high.cwiseMax(place.head<2>());
+    low = low.min(place.xy());
+    high = high.max(place.xy());
   }
-  const double side = places_.empty() ? 0 : (high - low).maxCoeff();
+  const double side = places_.empty() ? 0 : (high - low).largest();
   const auto grid_place = [&](double away) {
     constexpr double cells = 4294967295.0;  // of the curve, along a side
     return static_cast<std::uint32_t>(side > 0 ? std::min(away / side, 1.0) * cells : 0.0);

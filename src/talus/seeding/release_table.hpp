@@ -24,9 +24,9 @@ struct ReleaseRow {
   double speed = none;                        // along the direction [m/s]
   double horizontal = none, vertical = none;  // [m/s]
   double spin = none;                         // about up x direction [rad/s]
-  Vec3 velocity = Vec3::Constant(none);       // [m/s]; instead of speed, horizontal and vertical
-  Vec3 spin_vector = Vec3::Constant(none);    // [rad/s]; instead of spin
-  Vec3 direction = Vec3::Constant(none);      // unit
+  Vec3 velocity = Vec3::all(none);            // [m/s]; instead of speed, horizontal and vertical
+  Vec3 spin_vector = Vec3::all(none);         // [rad/s]; instead of spin
+  Vec3 direction = Vec3::all(none);           // unit
 };
 
 /// The rows, with a column for everything that at least one of them gives.

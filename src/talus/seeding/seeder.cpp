@@ -130,10 +130,10 @@ Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& directio
   release.rock = rock_of(seeder, draws, given);
   const bool has_velocity = ReleaseRow::has(given.velocity);
   const bool has_parts = ReleaseRow::has(given.horizontal) || ReleaseRow::has(given.vertical);
-  const bool moves_on_plan = has_velocity && given.velocity.head<2>().norm() > 0;
+  const bool moves_on_plan = has_velocity && given.velocity.xy().norm() > 0;
   const Vec3& forwards = moves_on_plan ? given.velocity : direction;
   const Vec3 plan = Vec3(forwards.x(), forwards.y(), 0);
-  const Vec3 heading = plan.norm() > 0 ? Vec3(plan.normalized()) : Vec3(Vec3::UnitX());
+  const Vec3 heading = plan.norm() > 0 ? plan.normalized() : unit_x;
   release.motion.position = place;
   if (has_velocity) {
     release.motion.velocity = given.velocity;
@@ -144,12 +144,11 @@ Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& directio
   } else {
     release.motion.velocity =
         given_or_drawn(given.horizontal, seeder.horizontal, draws, Stream::horizontal_velocity) * heading +
-        given_or_drawn(given.vertical, seeder.vertical, draws, Stream::vertical_velocity) * Vec3::UnitZ();
+        given_or_drawn(given.vertical, seeder.vertical, draws, Stream::vertical_velocity) * unit_z;
   }
-  release.motion.spin =
-      ReleaseRow::has(given.spin_vector)
-          ? given.spin_vector
-          : Vec3(given_or_drawn(given.spin, seeder.spin, draws, Stream::spin) * Vec3::UnitZ().cross(heading));
+  release.motion.spin = ReleaseRow::has(given.spin_vector)
+                            ? given.spin_vector
+                            : given_or_drawn(given.spin, seeder.spin, draws, Stream::spin) * unit_z.cross(heading);
   return release;
 }
 

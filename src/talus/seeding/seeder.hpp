@@ -40,7 +40,7 @@ struct Seeder {
   Sampler density;  // [kg/m3]
   /// With `speed`, the velocity is along `direction`; without, `horizontal` is along its projection on plan, and
   /// `vertical` upwards. Unit; nullopt: the fall line (fall_line.hpp) at the place of release.
-  std::optional<Vec3> direction = Vec3::UnitX();
+  std::optional<Vec3> direction = unit_x;
   std::optional<Sampler> speed;  // [m/s]
   Sampler horizontal, vertical;  // [m/s]
   Sampler spin;                  // about up x direction [rad/s]: positive rolls forwards

@@ -8,10 +8,10 @@ Turned rolled_round_bend(const Vec3& velocity, const Vec3& spin, const Vec3& n, 
   // end, and a spin be braked to zero, before it is over.
   constexpr int most_parts = 8;
   Turned turned{velocity, spin};
-  const Footing footing{Vec3::Zero(), angle * velocity.norm()};
+  const Footing footing{Vec3{}, angle * velocity.norm()};
   double left = 1;
   for (int part = 0; part < most_parts && left > 0; ++part) {
-    const Leg leg = rolling_leg(Vec3::Zero(), turned.velocity, turned.spin, n, footing, rock, friction, left);
+    const Leg leg = rolling_leg(Vec3{}, turned.velocity, turned.spin, n, footing, rock, friction, left);
     turned = {leg.end_velocity, leg.end_spin};
     left -= leg.duration;
   }

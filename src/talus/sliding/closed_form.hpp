@@ -18,7 +18,7 @@ namespace talus {
 [[nodiscard]] inline Leg closed_form_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin,
                                          const Footing& footing, double mu, double timestep) {
   const double speed = velocity.norm(), pull = footing.pull.norm();
-  const Vec3 heading = speed > 0 ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3(Vec3::Zero());
+  const Vec3 heading = speed > 0 ? velocity / speed : pull > 0 ? footing.pull / pull : Vec3{};
   const double drag = mu * footing.normal_acceleration;
   const auto braked = [&](const Vec3& a, double longest) {
     const double rate = a.dot(heading);
@@ -38,7 +38,7 @@ namespace talus {
     // neglected.
     const double k = drag / pull;
     const double remaining = speed * (k + along_pull) / (pull * (k * k - 1));
-    return {{position, velocity, -velocity / remaining}, remaining, Vec3::Zero(), spin};
+    return {{position, velocity, -velocity / remaining}, remaining, Vec3{}, spin};
   }
   // Close to rest friction turns quickly: the velocity changes by less than half of itself in a leg.
   const double duration = std::min(timestep, 0.5 * speed / (drag + pull));

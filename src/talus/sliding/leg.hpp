@@ -33,14 +33,14 @@ struct Footing {
 
 /// A velocity whose component along the heading has become zero.
 [[nodiscard]] inline Vec3 halted(const Vec3& velocity, const Footing& footing, const Vec3& heading) {
-  return is_straight(footing, heading) ? Vec3(Vec3::Zero()) : tangential(velocity, heading);
+  return is_straight(footing, heading) ? Vec3{} : tangential(velocity, heading);
 }
 
 struct Leg {
   Parabola path;        // of the centre
   double duration = 0;  // [s]; infinite for a closed form without rest or reversal
-  Vec3 end_velocity = Vec3::Zero();
-  Vec3 end_spin = Vec3::Zero();
+  Vec3 end_velocity;
+  Vec3 end_spin;
 };
 
 /// The leg of a rock that touches two facets at once, so that it can only move along the unit vector `e`.

@@ -23,8 +23,8 @@ Leg rolling_without_slip(const Vec3& position, const Vec3& velocity, const Vec3&
       leg.duration = -speed / rate;
       leg.end_velocity = halted(velocity + leg.duration * a, footing, heading);
     }
-  } else if (a.isZero(0)) {
-    leg.end_velocity = Vec3::Zero();
+  } else if (a == Vec3{}) {
+    leg.end_velocity = Vec3{};
   }
   leg.end_spin = rolling_spin(leg.end_velocity, spin, n, radius);
   return leg;
@@ -44,13 +44,13 @@ struct SlipChange {
   /// The duration in which slip turns by a right angle: in longer legs friction would drive it.
   [[nodiscard]] double longest() const {
     const double along = slip.dot(drift);
-    return along < 0 ? -slip.squaredNorm() / along : std::numeric_limits<double>::infinity();
+    return along < 0 ? -slip.squared_norm() / along : std::numeric_limits<double>::infinity();
   }
 
   /// When slip ends: |slip + t drift| = t friction.
   [[nodiscard]] std::optional<double> end() const {
-    const double along = slip.dot(drift), squared = slip.squaredNorm();
-    const double root = along * along + (friction * friction - drift.squaredNorm()) * squared;
+    const double along = slip.dot(drift), squared = slip.squared_norm();
+    const double root = along * along + (friction * friction - drift.squared_norm()) * squared;
     if (root < 0 || std::sqrt(root) <= along) return std::nullopt;
     return squared / (std::sqrt(root) - along);
   }
@@ -62,9 +62,7 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
                 const Rock& rock, ContactFriction friction, double timestep) {
   const double normal = footing.normal_acceleration, r = rock.radius;
   const double speed = velocity.norm(), pull = footing.pull.norm();
-  const Vec3 heading = speed > standstill ? Vec3(velocity / speed)
-                       : pull > 0         ? Vec3(footing.pull / pull)
-                                          : Vec3(Vec3::Zero());
+  const Vec3 heading = speed > standstill ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3{};
   const Vec3 slip = slip_velocity(velocity, spin, n, r);
   if (slip.norm() <= no_slip) {
     const double resistance = friction.rolling * normal;
@@ -81,7 +79,7 @@ Leg rolling_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin, co
   const double spin_rate = tangential_spin.norm();
   const bool spins = spin_rate * r > no_slip;
   // Rolling resistance brakes the spin; without spin, it reduces the moment that would start it.
-  const Vec3 braking = spins ? Vec3(-friction.rolling * moment / spin_rate * tangential_spin) : Vec3(Vec3::Zero());
+  const Vec3 braking = spins ? -friction.rolling * moment / spin_rate * tangential_spin : Vec3{};
   const double spinning_up = spins ? friction.dynamic : std::max(0.0, friction.dynamic - friction.rolling);
   const SlipChange change{slip, footing.pull + r * n.cross(braking),
                           friction.dynamic * normal + spinning_up * moment * r};

@@ -12,24 +12,24 @@ namespace talus {
 [[nodiscard]] inline Leg stepped_leg(const Vec3& position, const Vec3& velocity, const Vec3& spin,
                                      const Footing& footing, double mu, double timestep) {
   const double speed = velocity.norm(), pull = footing.pull.norm();
-  const Vec3 heading = speed > 0 ? Vec3(velocity / speed) : pull > 0 ? Vec3(footing.pull / pull) : Vec3(Vec3::Zero());
+  const Vec3 heading = speed > 0 ? velocity / speed : pull > 0 ? footing.pull / pull : Vec3{};
   const double drag = mu * footing.normal_acceleration;
   const Vec3 pulled = velocity + timestep * footing.pull;
   Leg leg;
   leg.end_spin = spin;
   if (speed > 0 && pulled.dot(heading) < timestep * drag) {
     leg.duration = speed / (drag - footing.pull.dot(heading));
-    leg.end_velocity = Vec3::Zero();  // a pull across the motion would add speed without displacement
-    leg.path = {position, Vec3::Zero(), Vec3::Zero()};
+    leg.end_velocity = Vec3{};  // a pull across the motion would add speed without displacement
+    leg.path = {position, Vec3{}, Vec3{}};
     return leg;
   }
   // Friction acts against the velocity at the end of the step. On a straight line it has the direction of that at the
   // start; across it, friction against the start velocity would amplify rounding a hundredfold per step at low speed.
   const double size = pulled.norm();
-  const Vec3 after = size > timestep * drag ? Vec3((1 - timestep * drag / size) * pulled) : Vec3(Vec3::Zero());
+  const Vec3 after = size > timestep * drag ? (1 - timestep * drag / size) * pulled : Vec3{};
   leg.duration = timestep;
   leg.end_velocity = after;
-  leg.path = {position, after, Vec3::Zero()};
+  leg.path = {position, after, Vec3{}};
   return leg;
 }
 

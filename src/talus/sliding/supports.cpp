@@ -45,11 +45,12 @@ Footing footing_on(const Vec3& gravity, const Supports& supports) {
   for (int i = 0; i < n; ++i) {
     for (int j = i + 1; j < n; ++j) {
       for (int k = j + 1; k < n; ++k) {
-        Mat3 normals;
-        normals << supports[i], supports[j], supports[k];
-        if (std::abs(normals.determinant()) < same_support) continue;
-        const Vec3 forces = normals.inverse() * -gravity;
-        if (forces.minCoeff() >= 0) return {Vec3::Zero(), forces.sum()};
+        const Vec3 &a = supports[i], &b = supports[j], &c = supports[k];
+        const double volume = a.dot(b.cross(c));
+        if (std::abs(volume) < same_support) continue;
+        const Vec3 share = -gravity / volume;  // Cramer's rule
+        const Vec3 forces(share.dot(b.cross(c)), share.dot(c.cross(a)), share.dot(a.cross(b)));
+        if (Vec3{}.is_at_most(forces)) return {Vec3{}, forces.sum()};
       }
     }
   }

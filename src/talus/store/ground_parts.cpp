@@ -23,8 +23,8 @@ class Trial {
     path_ = parabola_between(from, to, duration_);
     spin_rate_ = (to.spin - from.spin) / duration_;
     constexpr double share = StoreTolerance::velocity * StoreTolerance::velocity;
-    most_velocity_ = share * std::max(from.velocity.squaredNorm(), to.velocity.squaredNorm());
-    most_spin_ = share * std::max(from.spin.squaredNorm(), to.spin.squaredNorm());
+    most_velocity_ = share * std::max(from.velocity.squared_norm(), to.velocity.squared_norm());
+    most_spin_ = share * std::max(from.spin.squared_norm(), to.spin.squared_norm());
   }
 
   [[nodiscard]] bool is_near_all() const {
@@ -46,16 +46,16 @@ class Trial {
     constexpr double nearest = StoreTolerance::position - 2 * StoreStep::place;  // its ends are rounded
     const Motion &from = motions_[first_], &motion = motions_[k];
     const double s = motion.time - from.time;
-    return (from.velocity + s * path_.a - motion.velocity).squaredNorm() <= most_velocity_ &&
-           (path_.at(s) - motion.position).squaredNorm() <= nearest * nearest &&
-           (from.spin + s * spin_rate_ - motion.spin).squaredNorm() <= most_spin_;
+    return (from.velocity + s * path_.a - motion.velocity).squared_norm() <= most_velocity_ &&
+           (path_.at(s) - motion.position).squared_norm() <= nearest * nearest &&
+           (from.spin + s * spin_rate_ - motion.spin).squared_norm() <= most_spin_;
   }
 
   const std::vector<Motion>& motions_;
   std::size_t first_, last_;
   double duration_, most_velocity_ = 0, most_spin_ = 0;
   Parabola path_;  // if there is a duration
-  Vec3 spin_rate_ = Vec3::Zero();
+  Vec3 spin_rate_;
 };
 
 /// The largest number from `good` on, below `bad`, that passes; between two that pass all others do.
@@ -94,8 +94,7 @@ PathPiece ground_part(const Motion& from, const Motion& to) {
   part.spin = from.spin;
   part.on_ground = true;
   part.ends = {from.velocity, to.velocity, to.spin};
-  part.path = part.duration > 0 ? parabola_between(from, to, part.duration)
-                                : Parabola{from.position, Vec3::Zero(), Vec3::Zero()};
+  part.path = part.duration > 0 ? parabola_between(from, to, part.duration) : Parabola{from.position, Vec3{}, Vec3{}};
   return part;
 }
 

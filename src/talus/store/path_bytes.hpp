@@ -125,7 +125,7 @@ template <class Number>
 }
 template <class Number>
 [[nodiscard]] Vec3 get_vector(ByteReader& in, bool is_planar) {
-  Vec3 v = Vec3::Zero();
+  Vec3 v;
   v.x() = get_number<Number>(in);
   if (!is_planar) v.y() = get_number<Number>(in);
   v.z() = get_number<Number>(in);
@@ -158,12 +158,12 @@ template <class Number>
 
 /// The velocity at the end of a part, if its acceleration were constant on the way.
 [[nodiscard]] inline Vec3 expected_velocity(const Motion& start, const Vec3& way, double duration) {
-  return duration > 0 ? Vec3(2 / duration * way - start.velocity) : start.velocity;
+  return duration > 0 ? 2 / duration * way - start.velocity : start.velocity;
 }
 /// The spin there, if the rock rolls on with the same axis.
 [[nodiscard]] inline Vec3 expected_spin(const Motion& start, const Vec3& end_velocity) {
   const double speed = start.velocity.norm();
-  return speed > 0 ? Vec3(end_velocity.norm() / speed * start.spin) : start.spin;
+  return speed > 0 ? end_velocity.norm() / speed * start.spin : start.spin;
 }
 
 /// The motion at the end of a flight, computed as the run does.

@@ -11,8 +11,8 @@ namespace {
 /// Expects a motion with which a rock could be in a run.
 void expect_possible(const Motion& motion, const Rock& body) {
   const double energy =
-      0.5 * body.mass * motion.velocity.squaredNorm() + 0.5 * body.inertia * motion.spin.squaredNorm();
-  expect_bytes(motion.position.cwiseAbs().maxCoeff() <= largest_number && std::abs(motion.time) <= largest_number &&
+      0.5 * body.mass * motion.velocity.squared_norm() + 0.5 * body.inertia * motion.spin.squared_norm();
+  expect_bytes(motion.position.abs().largest() <= largest_number && std::abs(motion.time) <= largest_number &&
                    energy <= largest_number,
                "a motion is beyond any run");
 }

@@ -20,9 +20,9 @@ bool are_same_bits(const Motion& a, const Motion& b) {
          are_same_bits(a.spin, b.spin);
 }
 bool are_near(const Vec3& a, const Vec3& b) {
-  return (a - b).squaredNorm() <= same_digits * same_digits * std::max(a.squaredNorm(), b.squaredNorm());
+  return (a - b).squared_norm() <= same_digits * same_digits * std::max(a.squared_norm(), b.squared_norm());
 }
-bool are_near_places(const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= same_place * same_place; }
+bool are_near_places(const Vec3& a, const Vec3& b) { return (a - b).squared_norm() <= same_place * same_place; }
 bool are_near(const Motion& a, const Motion& b) {
   return std::abs(a.time - b.time) <= same_time && are_near_places(a.position, b.position) &&
          are_near(a.velocity, b.velocity) && are_near(a.spin, b.spin);
@@ -52,7 +52,7 @@ void PathEncoder::encode(const RockRecord& record, const RockLog& log, std::stri
   items_.clear();
   is_planar_ = is_planar(record, log);
   spin_step_ = spin_step(record.body.radius);
-  const Vec2 start = record.outcome.start.position.head(2);
+  const Vec2 start = record.outcome.start.position.xy();
   grid_.add_box({start, start}, cells_);
   put_path(record, log);
   put_facts(record);
@@ -71,13 +71,13 @@ void PathEncoder::put_facts(const RockRecord& record) {
   set(rock_was_lifted, record.was_lifted);
   set(rock_has_ground, ground.has_value());
   set(rock_is_no_sphere, body.inertia != inertia_of_sphere(body.mass, body.radius));
-  set(start_has_no_velocity, are_same_bits(start.velocity, Vec3::Zero()));
-  set(start_has_no_spin, are_same_bits(start.spin, Vec3::Zero()));
+  set(start_has_no_velocity, are_same_bits(start.velocity, Vec3{}));
+  set(start_has_no_spin, are_same_bits(start.spin, Vec3{}));
   set(end_has_place, !are_same_bits(end.position, now_.position));
   set(end_has_time, end.time != now_.time);
-  set(end_has_no_velocity, are_same_bits(end.velocity, Vec3::Zero()));
+  set(end_has_no_velocity, are_same_bits(end.velocity, Vec3{}));
   set(end_has_velocity, (flags & end_has_no_velocity) == 0 && !are_same_bits(end.velocity, now_.velocity));
-  set(end_has_no_spin, are_same_bits(end.spin, Vec3::Zero()));
+  set(end_has_no_spin, are_same_bits(end.spin, Vec3{}));
   set(end_has_spin, (flags & end_has_no_spin) == 0 && !are_same_bits(end.spin, now_.spin));
 
   facts_.put_varint(flags);

@@ -22,7 +22,7 @@ StoreFacts StoreFacts::of(const Model& model) {
   StoreFacts facts;
   facts.is_section = std::holds_alternative<Profile>(*model.surface);
   facts.is_sphere = model.laws.model == RockModel::rigid_sphere;
-  facts.origin = model.frame.origin + Vec3::Zero();  // without negative zeros
+  facts.origin = model.frame.origin + Vec3{};  // without negative zeros
   facts.gravity = model.laws.gravity;
   facts.energy_datum = model.energy_datum;
   facts.seed = model.seed;
@@ -32,15 +32,15 @@ StoreFacts StoreFacts::of(const Model& model) {
   facts.sources = model.sources;
   for (const Material& material : model.ground.materials()) facts.materials.push_back(material.name);
   const Box bounds = std::visit([](const auto& surface) { return surface.bounds(); }, *model.surface);
-  facts.grid = StoreGrid::over({bounds.low.head(2), bounds.high.head(2)}, facts.is_section);
+  facts.grid = StoreGrid::over({bounds.low.xy(), bounds.high.xy()}, facts.is_section);
   return facts;
 }
 
 void StoreFacts::save(ByteWriter& out) const {
   out.flag(is_section);
   out.flag(is_sphere);
-  for (const double x : origin) out.put(x);
-  for (const double x : gravity) out.put(x);
+  for (const double x : coordinates(origin)) out.put(x);
+  for (const double x : coordinates(gravity)) out.put(x);
   out.put(energy_datum);
   out.put(seed);
   out.put(planned);

@@ -13,11 +13,11 @@
 namespace talus {
 
 struct StoreFacts {
-  bool is_section = false;      // 2D: y is 0
-  bool is_sphere = false;       // rigid sphere; otherwise a rock is its centre
-  Vec3 origin = Vec3::Zero();   // of the local frame, in the project's coordinates [m]
-  Vec3 gravity = Vec3::Zero();  // [m/s2]
-  double energy_datum = 0;      // z in the project's coordinates [m]
+  bool is_section = false;  // 2D: y is 0
+  bool is_sphere = false;   // rigid sphere; otherwise a rock is its centre
+  Vec3 origin;              // of the local frame, in the project's coordinates [m]
+  Vec3 gravity;             // [m/s2]
+  double energy_datum = 0;  // z in the project's coordinates [m]
   std::uint64_t seed = 0;
   std::uint64_t planned = 0;                             // rocks of the whole campaign
   std::uint64_t ensembles = 0;                           // 0: all rocks have the same parameters

@@ -16,7 +16,7 @@ constexpr double margin = 1e-3;
 StoreGrid StoreGrid::over(const PlanBounds& terrain, bool is_section) {
   const double most = is_section ? most_columns_of_section : most_columns;
   const Vec2 extent = terrain.high - terrain.low;
-  const double longest = is_section ? extent.x() : extent.maxCoeff();
+  const double longest = is_section ? extent.x() : extent.largest();
   StoreGrid grid;
   grid.size_ = std::exp2(std::ceil(std::log2(std::max(longest, 1e-3) / most)));
   grid.low_ = terrain.low;
@@ -46,11 +46,11 @@ void StoreGrid::add_box(const PlanBounds& box, CellSet& cells) const {
 }
 
 void StoreGrid::add_line(const Vec2& from, const Vec2& to, double reach, CellSet& cells) const {
-  const Vec2 by = Vec2::Constant(reach / size_);
+  const Vec2 by = Vec2::all(reach / size_);
   Vec2 a = (from - low_) / size_, b = (to - low_) / size_;
   if (a.x() > b.x()) std::swap(a, b);
   const std::uint32_t first = clamped(a.x() - by.x(), columns_), last = clamped(b.x() + by.x(), columns_);
-  if (first == last || rows_ == 1) return add_range(a.cwiseMin(b) - by, a.cwiseMax(b) + by, cells);
+  if (first == last || rows_ == 1) return add_range(a.min(b) - by, a.max(b) + by, cells);
   const double slope = b.x() > a.x() ? (b.y() - a.y()) / (b.x() - a.x()) : 0;
   // The part of the line over one column, and `reach` to both sides, after the other. Places beside the grid count to
   // the columns at its border.
@@ -66,21 +66,21 @@ void StoreGrid::add_line(const Vec2& from, const Vec2& to, double reach, CellSet
 
 void StoreGrid::add_piece(const PathPiece& piece, CellSet& cells) const {
   const double t = piece.duration;
-  const Vec2 start = piece.path.p.head(2), end = piece.path.at(t).head(2);
+  const Vec2 start = piece.path.p.xy(), end = piece.path.at(t).xy();
   // On plan a piece is a Bezier curve of second degree; of a flight, a straight line.
-  const Vec2 control = start + 0.5 * t * piece.path.v.head(2);
+  const Vec2 control = start + 0.5 * t * piece.path.v.xy();
   const Vec2 chord = end - start, aside = control - start;
   const double bend = std::abs(chord.x() * aside.y() - chord.y() * aside.x());
   const double along = aside.dot(chord);
-  if (bend <= margin * chord.norm() && along >= 0 && along <= chord.squaredNorm())
+  if (bend <= margin * chord.norm() && along >= 0 && along <= chord.squared_norm())
     return add_line(start, end, 2 * margin, cells);
   constexpr int parts = 8;
   Vec2 from = start;
   for (int k = 1; k <= parts; ++k) {
     const double s0 = t * (k - 1) / parts, s1 = t * k / parts;
-    const Vec2 to = piece.path.at(s1).head(2), bent = from + 0.5 * (s1 - s0) * piece.path.velocity(s0).head(2);
-    const Vec2 by = Vec2::Constant(margin);
-    add_box({from.cwiseMin(to).cwiseMin(bent) - by, from.cwiseMax(to).cwiseMax(bent) + by}, cells);
+    const Vec2 to = piece.path.at(s1).xy(), bent = from + 0.5 * (s1 - s0) * piece.path.velocity(s0).xy();
+    const Vec2 by = Vec2::all(margin);
+    add_box({from.min(to).min(bent) - by, from.max(to).max(bent) + by}, cells);
     from = to;
   }
 }
@@ -101,7 +101,7 @@ StoreGrid StoreGrid::read(ByteReader& in) {
   grid.columns_ = in.get<std::uint32_t>();
   grid.rows_ = in.get<std::uint32_t>();
   const auto is_count = [](std::uint32_t n) { return n >= 1 && n <= most_columns; };
-  expect_bytes(grid.low_.allFinite() && std::isfinite(grid.size_) && grid.size_ > 0 && is_count(grid.columns_) &&
+  expect_bytes(grid.low_.is_finite() && std::isfinite(grid.size_) && grid.size_ > 0 && is_count(grid.columns_) &&
                    is_count(grid.rows_),
                "the index has no valid grid");
   return grid;

@@ -36,7 +36,7 @@ class StoreGrid {
   [[nodiscard]] static std::uint32_t clamped(double place, std::uint32_t count);
   void add_range(const Vec2& low, const Vec2& high, CellSet& cells) const;
 
-  Vec2 low_ = Vec2::Zero();
+  Vec2 low_;
   double size_ = 1;
   std::uint32_t columns_ = 1, rows_ = 1;
 };

@@ -22,7 +22,7 @@ namespace talus::study {
 struct RockEnd {
   std::uint64_t rock = 0;  // its number in the campaign
   SeederId seeder;
-  Vec3 release = Vec3::Zero(), end = Vec3::Zero();  // of its centre [m]
+  Vec3 release, end;  // of its centre [m]
   EndReason reason = EndReason::at_rest;
   double mass = 0, radius = 0;    // [kg], [m]
   double time = 0;                // from release to end [s]
@@ -30,14 +30,14 @@ struct RockEnd {
   double max_bounce = 0;          // rocks/heights.hpp [m]
 
   /// On plan [m].
-  [[nodiscard]] double runout() const { return (end - release).head<2>().norm(); }
+  [[nodiscard]] double runout() const { return (end - release).xy().norm(); }
 };
 
 /// A rock that arrives at a barrier or collector.
 struct Crossing {
   std::uint64_t rock = 0;
   BarrierId barrier;
-  Vec3 position = Vec3::Zero();                            // [m]
+  Vec3 position;                                           // [m]
   double height = 0;                                       // of the contact above the foot, along the face [m]
   double top = 0;                                          // of the top of the block, likewise [m]
   double speed = 0;                                        // [m/s]
@@ -49,7 +49,7 @@ struct Crossing {
 /// A rock strikes the ground.
 struct Mark {
   std::uint64_t rock = 0;
-  Vec3 position = Vec3::Zero();  // of its centre [m]
+  Vec3 position;  // of its centre [m]
 };
 
 /// The rocks of one set of parameters, in the order of their numbers.

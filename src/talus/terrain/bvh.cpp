@@ -59,7 +59,7 @@ struct Bvh::Builder {
     Box centres;
     for (std::uint32_t k = range.first; k < range.last; ++k) {
       const Box& box = boxes[order[k]];
-      centres.grow(Vec3(0.5 * (box.low + box.high)));
+      centres.grow(0.5 * (box.low + box.high));
     }
     double best_cost = std::numeric_limits<double>::infinity();
     int best_axis = -1;

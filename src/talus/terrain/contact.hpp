@@ -39,7 +39,7 @@ struct SupportPlanes {
   bool has_facets = false;
   // For a sphere on an edge or a vertex: the point that carries it, and the direction of the edge; zero at a vertex.
   bool has_pivot = false;
-  Vec3 pivot = Vec3::Zero(), axis = Vec3::Zero();
+  Vec3 pivot, axis;
 
   SupportPlanes() = default;
   explicit SupportPlanes(const Vec3& n) : normal{n, n}, count(1) {}
@@ -62,7 +62,7 @@ struct SupportPlanes {
   }
   /// Whether a place on the surface is on the edge or vertex that carries the sphere.
   [[nodiscard]] bool is_at_pivot(const Vec3& place) const {
-    return has_pivot && tangential(place - pivot, axis).squaredNorm() < tolerance::at_pivot * tolerance::at_pivot;
+    return has_pivot && tangential(place - pivot, axis).squared_norm() < tolerance::at_pivot * tolerance::at_pivot;
   }
   /// Whether the contact with a facet of unit normal `n` does not count. The rock is h0 + vn t + an t^2/2 above its
   /// plane; `is_over(t)`: whether it is then over the facet.

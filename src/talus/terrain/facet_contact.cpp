@@ -11,11 +11,11 @@ void meet_point(const Parabola& path, const Triangle& corner, FacetName name, co
   if (vn >= 0 && an >= 0) return;
   const Vec3 from_corner = path.p - corner[0];
   const double h0 = n.dot(from_corner);
-  const auto t = falling_root(h0, vn, an, contact_slack * n.lpNorm<1>());
+  const auto t = falling_root(h0, vn, an, contact_slack * n.abs().sum());
   if (!t || !best.beaten_by(*t, Feature::facet, name.source)) return;
 
   // Distances from the sides, times the lengths of n and of the side; their sum is the square of n.
-  const double n2 = n.squaredNorm(), n_length = std::sqrt(n2);
+  const double n2 = n.squared_norm(), n_length = std::sqrt(n2);
   const auto is_over = [&](double at, auto&& slack_there) {
     const Vec3 q = from_corner + at * path.v + (0.5 * at * at) * path.a;
     const double inside_first = n.dot(first.cross(q)), inside_last = n.dot(q.cross(last));

@@ -26,7 +26,7 @@ struct ContactCandidate {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   double t;
-  Vec3 normal = Vec3::Zero();
+  Vec3 normal;
   std::uint32_t facet = none;
   std::uint32_t source = none;
   Feature feature = Feature::facet;
@@ -80,7 +80,7 @@ void meet_sphere(const Parabola& path, SpherePath kind, double radius, const Tim
   return t == 0 && inside < 0 && rate < -tolerance::share_by_rounding * speed;
 }
 /// The direction in which a path begins: that of its velocity or, from standstill, of its acceleration.
-[[nodiscard]] inline const Vec3& first_way(const Parabola& path) { return path.v.isZero(0) ? path.a : path.v; }
+[[nodiscard]] inline const Vec3& first_way(const Parabola& path) { return path.v == Vec3{} ? path.a : path.v; }
 
 /// A triangle's sides and unit normal, and the gap between a sphere and its plane, h0 + vn t + an t^2 / 2.
 struct SphereOverFacet {

@@ -12,15 +12,15 @@
 namespace talus {
 
 struct Box {
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+  Vec3 low = Vec3::all(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::all(-std::numeric_limits<double>::infinity());
   void grow(const Vec3& p) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    low = low.min(p);
+    high = high.max(p);
   }
   void grow(const Box& other) {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
+    low = low.min(other.low);
+    high = high.max(other.high);
   }
 };
 
@@ -31,7 +31,7 @@ struct Box {
   swept.grow(leg.at(0.5 * t_max));
   swept.grow(leg.at(t_max));
   // The arc between these three points stays within an eighth of a t^2 of their box.
-  const Vec3 margin = Vec3::Constant(pad) + 0.125 * t_max * t_max * leg.a.cwiseAbs();
+  const Vec3 margin = Vec3::all(pad) + 0.125 * t_max * t_max * leg.a.abs();
   return {swept.low - margin, swept.high + margin};
 }
 

@@ -17,7 +17,7 @@ template <class CornersAt>
 void add_leaning_bounds(Bvh& tree, CornersAt&& corners_at) {
   struct Part {
     std::uint32_t first = std::numeric_limits<std::uint32_t>::max(), last = 0;  // places
-    Vec3 area = Vec3::Zero();                                                   // the sum of 2 area times normal
+    Vec3 area;                                                                  // the sum of 2 area times normal
     void add(const Part& other) {
       first = std::min(first, other.first);
       last = std::max(last, other.last);
@@ -54,7 +54,7 @@ void add_leaning_bounds(Bvh& tree, CornersAt&& corners_at) {
       // For contents that are nearly vertical on average, or overhang, a level plane is used.
       constexpr double steepest = 10;
       const Vec3& area = whole[n].area;
-      if (area.z() * steepest > area.head<2>().norm()) {
+      if (area.z() * steepest > area.xy().norm()) {
         lean.along_x = static_cast<float>(-area.x() / area.z());
         lean.along_y = static_cast<float>(-area.y() / area.z());
       }

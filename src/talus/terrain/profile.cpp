@@ -25,7 +25,7 @@ Vec3 in_plane(const Vec3& v) { return {v.x(), 0, v.z()}; }
 
 struct Profile::Candidate {
   double t;
-  Vec3 normal = Vec3::Zero();
+  Vec3 normal;
   std::uint32_t facet = 0;
   Feature feature = Feature::facet;
   bool found = false;
@@ -48,7 +48,7 @@ Profile::Profile(std::span<const Vec2> vertices) {
   for (const Segment& segment : segments_) {
     Box box;
     box.grow(segment.a);
-    box.grow(Vec3(segment.a + segment.length * segment.along));
+    box.grow(segment.a + segment.length * segment.along);
     boxes.push_back(box);
   }
   bvh_ = Bvh(boxes);

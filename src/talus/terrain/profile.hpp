@@ -85,7 +85,7 @@ void Profile::supports(const Vec3& centre, double radius, double reach, Touch&& 
     away.y() = 0;
     const double distance = away.norm();
     if (distance > radius + reach) continue;
-    touch(distance > tolerance::no_distance ? Vec3(away / distance) : segment.normal,
+    touch(distance > tolerance::no_distance ? away / distance : segment.normal,
           Vec3(segment.a + 0.5 * segment.length * segment.along), distance, FacetId{index_of(segment)});
   }
 }

@@ -397,7 +397,7 @@ double RasterSurface::max_height_in_cell(const Parabola& path, const GridWalk& a
 }
 
 std::vector<Vec3> RasterSurface::draped(const Vec2& from, const Vec2& to) const {
-  const Parabola line{{from.x(), from.y(), 0}, {to.x() - from.x(), to.y() - from.y(), 0}, Vec3::Zero()};
+  const Parabola line{{from.x(), from.y(), 0}, {to.x() - from.x(), to.y() - from.y(), 0}, Vec3{}};
   std::vector<Vec3> points;
   double previous = -1;
   const auto put = [&](double s) {

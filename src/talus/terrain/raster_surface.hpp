@@ -205,9 +205,8 @@ void RasterSurface::supports(const Vec3& centre, double radius, double reach, To
                 const Vec3 away = centre - closest_point(corner, centre);
                 const double distance = away.norm();
                 if (distance > range) return;
-                touch(
-                    distance > tolerance::no_distance ? Vec3(away / distance) : Vec3(area_normal(corner).normalized()),
-                    Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, facet);
+                touch(distance > tolerance::no_distance ? away / distance : area_normal(corner).normalized(),
+                      Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, facet);
               });
 }
 

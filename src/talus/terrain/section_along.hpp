@@ -44,7 +44,7 @@ template <class Surface>
     if (length == 0) continue;
     std::vector<double> bends{0};
     for (const Vec3& p : surface.draped(from, line[k + 1])) {
-      const double s = (p.template head<2>() - from).dot(d) / (length * length);
+      const double s = (p.xy() - from).dot(d) / (length * length);
       if (s > bends.back() && s < 1) bends.push_back(s);
     }
     bends.push_back(1);

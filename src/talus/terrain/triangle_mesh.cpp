@@ -38,7 +38,7 @@ TimeWindow time_over(const Triangle& corner, const Vec2& from, const Vec2& veloc
 // A flight over a triangle that faces up, in [0, t_end].
 OverPlane over_facet(const Triangle& corner, const Vec3& area_normal, const Parabola& path, double t_end,
                      double slack = 0) {
-  return {time_over(corner, path.p.head<2>(), path.v.head<2>(), t_end, slack),
+  return {time_over(corner, path.p.xy(), path.v.xy(), t_end, slack),
           area_normal.dot(path.p - corner[0]) / area_normal.z(), area_normal.dot(path.v) / area_normal.z()};
 }
 
@@ -160,8 +160,7 @@ std::optional<Contact> TriangleMesh::search_flight(const Parabola& path, double 
       [&](std::uint32_t first, std::uint32_t last, double&) {
         for (std::uint32_t k = first; k < last; ++k) {
           const Triangle& corner = facets_[k].corner;
-          const Box box{corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]),
-                        corner[0].cwiseMax(corner[1]).cwiseMax(corner[2])};
+          const Box box{corner[0].min(corner[1]).min(corner[2]), corner[0].max(corner[1]).max(corner[2])};
           const TimeWindow window = slabs.window(box, radius + box_pad, best.t);
           if (window.is_empty()) continue;
           each_facet();
@@ -233,7 +232,7 @@ Exit TriangleMesh::exit(const Parabola& path) const {
       end = falling_root(over.h0 + fell_through, over.h1, path.a.z(), 1e300).value_or(end);
     } else {
       // The slack decides which facets it is over, not when it leaves them.
-      const double without = time_over(facets_[k].corner, path.p.head<2>(), path.v.head<2>(), t_end).leave;
+      const double without = time_over(facets_[k].corner, path.p.xy(), path.v.xy(), t_end).leave;
       if (without >= 0) end = std::min(end, without);
     }
     if (end < last) return;
@@ -390,7 +389,7 @@ std::vector<Vec3> TriangleMesh::draped(const Vec2& from, const Vec2& to) const {
     const Vec3 n = area_normal(corner);
     for (const double s : {begin, end}) {
       const Vec2 at = from + s * d;
-      put({at.x(), at.y(), corner[0].z() - n.head<2>().dot(at - corner[0].head<2>()) / n.z()});
+      put({at.x(), at.y(), corner[0].z() - n.xy().dot(at - corner[0].xy()) / n.z()});
     }
   }
   return line;

@@ -103,17 +103,16 @@ class TriangleMesh {
 template <class Touch>
 void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Touch&& touch) const {
   const double range = radius + reach;
-  bvh_.visit_box(centre - Vec3::Constant(range), centre + Vec3::Constant(range),
-                 [&](std::uint32_t first, std::uint32_t last) {
-                   for (std::uint32_t k = first; k < last; ++k) {
-                     const Vec3 away = centre - closest_point(facets_[k].corner, centre);
-                     const double distance = away.norm();
-                     if (distance > range) continue;
-                     const auto& corner = facets_[k].corner;
-                     touch(distance > tolerance::no_distance ? Vec3(away / distance) : normal({k}),
-                           Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, FacetId{k});
-                   }
-                 });
+  bvh_.visit_box(centre - Vec3::all(range), centre + Vec3::all(range), [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t k = first; k < last; ++k) {
+      const Vec3 away = centre - closest_point(facets_[k].corner, centre);
+      const double distance = away.norm();
+      if (distance > range) continue;
+      const auto& corner = facets_[k].corner;
+      touch(distance > tolerance::no_distance ? away / distance : normal({k}),
+            Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, FacetId{k});
+    }
+  });
 }
 
 }  // namespace talus

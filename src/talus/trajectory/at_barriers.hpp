@@ -56,8 +56,8 @@ template <class Surface>
   if (on && leaving.dot(n) < 0) {
     // Along the ground the rebound leads into the barrier: the rock can only move along both.
     const Vec3 along = on->normal.cross(n);
-    const bool can_move = !on->valley && along.squaredNorm() > 0;
-    leaving = can_move ? Vec3(leaving.dot(along) / along.squaredNorm() * along) : Vec3(Vec3::Zero());
+    const bool can_move = !on->valley && along.squared_norm() > 0;
+    leaving = can_move ? Vec3(leaving.dot(along) / along.squared_norm() * along) : Vec3{};
   }
   const double pressing = -pull.dot(n);
   const bool returns_in_a_step = leaving.dot(n) < rock.laws.timestep * pressing;

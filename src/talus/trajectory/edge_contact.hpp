@@ -11,7 +11,7 @@ template <class Surface>
 [[nodiscard]] Vec3 edge_under(MovingRock<Surface>& rock, const Support& on) {
   const Vec3 point = rock.motion.position - rock.reach * on.normal;
   const Outline& outline = rock.outline_of(on.facet);
-  Vec3 direction = Vec3::Zero();
+  Vec3 direction;
   int sides = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
     const OutlineEdge& side = outline.edges[k];
@@ -20,7 +20,7 @@ template <class Surface>
     direction = along;
     ++sides;
   }
-  return sides == 1 ? direction : Vec3(Vec3::Zero());
+  return sides == 1 ? direction : Vec3{};
 }
 
 /// N = -g.n - v^2/r, with v the speed across the edge: the normal force over the sphere's mass, gravity less the
@@ -28,7 +28,7 @@ template <class Surface>
 template <class Surface>
 [[nodiscard]] double normal_acceleration_on_edge(MovingRock<Surface>& rock, const Support& on) {
   const Vec3 across = tangential(tangential(rock.motion.velocity, on.normal), edge_under(rock, on));
-  return -rock.laws.gravity.dot(on.normal) - across.squaredNorm() / rock.reach;
+  return -rock.laws.gravity.dot(on.normal) - across.squared_norm() / rock.reach;
 }
 
 /// The duration [s] of a leg in which a sphere turns about an edge by at most `edge_step`.

@@ -27,7 +27,7 @@ template <class Surface>
 template <class Surface>
 [[nodiscard]] double forest_border_between(const MovingRock<Surface>& rock, const Parabola& path, double from,
                                            double to, double rate) {
-  while ((path.at(to) - path.at(from)).squaredNorm() > tolerance::forest_border * tolerance::forest_border) {
+  while ((path.at(to) - path.at(from)).squared_norm() > tolerance::forest_border * tolerance::forest_border) {
     const double middle = 0.5 * (from + to);
     (forest_drag_at(rock, path.at(middle)) == rate ? from : to) = middle;
   }
@@ -65,7 +65,7 @@ template <class Surface>
     length = tolerance::forest_step / std::max(motion.velocity.norm(), tolerance::least_speed);
   }
   length = std::min(length, drag.parameter(laws.max_time - motion.time));
-  const Parabola path = sinks ? Parabola{motion.position, motion.velocity, Vec3::Zero()}
+  const Parabola path = sinks ? Parabola{motion.position, motion.velocity, Vec3{}}
                               : drag.piece(motion.position, motion.velocity, length);
   if (forest_drag_at(rock, path.at(length)) != rate) length = forest_border_between(rock, path, 0, length, rate);
 

@@ -10,7 +10,7 @@ namespace talus {
 /// A glide that starts at the rock's present motion.
 struct GlideOnFacet {
   Glide glide;
-  Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit, on the facet
+  Vec3 down = Vec3{}, aside = Vec3{};  // unit, on the facet
   FacetId facet;
   double way_to_bump = 0;      // at its start [m]
   std::size_t first_step = 0;  // in the log

@@ -242,7 +242,7 @@ requires GroundState<State, Surface>
   rock.progress.record(motion, std::min(1.0, rock.laws.timestep / 0.01));
   if (rests(rock, state, footing) || rock.is_wedged()) return NextState{come_to_rest(rock)};
   if (motion.time >= rock.laws.max_time) return NextState{Ended{EndReason::maximum_time}};
-  const bool stands = motion.velocity.squaredNorm() == 0;
+  const bool stands = motion.velocity.squared_norm() == 0;
   if (stands && !std::exchange(rock.stretch.has_turned, true)) rock.log.turn(motion);
 
   if (const Guide* const guide = guide_of(state)) keep_along_guide(rock, state.on.normal, *guide, footing);
@@ -278,7 +278,7 @@ requires GroundState<State, Surface>
 template <class Surface>
 void move_to_end(MovingRock<Surface>& rock, FacetId facet, const Leg& leg, const LegEnd& end) {
   const Motion before = rock.motion;
-  move_along(rock, leg, end.t, end.edge ? end.edge->inward : Vec3(Vec3::Zero()));
+  move_along(rock, leg, end.t, end.edge ? end.edge->inward : Vec3{});
   rock.log_leg(facet, leg.path, end.t, before, rock.motion);
   rock.update_max_energy();
 }

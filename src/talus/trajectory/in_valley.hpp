@@ -90,7 +90,7 @@ void remove_drift(MovingRock<Surface>& rock, const InValley& state) {
   // The shortest shift to where the rock touches both planes.
   const Vec3 across = tangential(m, n);  // in the first plane, away from the second
   shift -=
-      (gap_to_plane(rock, m, rock.surface.point_of(state.other.facet)) + m.dot(shift)) / across.squaredNorm() * across;
+      (gap_to_plane(rock, m, rock.surface.point_of(state.other.facet)) + m.dot(shift)) / across.squared_norm() * across;
   correct_position(rock, shift);
 }
 

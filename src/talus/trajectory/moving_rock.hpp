@@ -46,19 +46,19 @@ class Progress {
 
  private:
   [[nodiscard]] bool is_same(const Motion& motion) const {
-    return (motion.position - place_).squaredNorm() <= tolerance::same_place * tolerance::same_place &&
+    return (motion.position - place_).squared_norm() <= tolerance::same_place * tolerance::same_place &&
            (motion.spin - spin_).norm() * reach_ <= tolerance::same_spin;
   }
 
   double reach_;
-  Vec3 place_ = Vec3::Zero(), spin_ = Vec3::Zero();
+  Vec3 place_ = Vec3{}, spin_ = Vec3{};
   double contacts_ = 0;
 };
 
 /// The previous contact with the ground.
 struct LastContact {
-  Vec3 position = Vec3::Constant(std::numeric_limits<double>::infinity());
-  Support with{Vec3::Zero(), {}};
+  Vec3 position = Vec3::all(std::numeric_limits<double>::infinity());
+  Support with{Vec3{}, {}};
 };
 
 /// The present stretch along the ground: its legs up to the next event.
@@ -70,7 +70,7 @@ struct Stretch {
 /// A sphere that rolls on a plane of this normal can move by `way` from `from`, in any direction, and touch nothing but
 /// the plane. If that is not enough, the search is repeated after it has moved by `until`.
 struct ClearWay {
-  Vec3 normal = Vec3::Zero(), from = Vec3::Zero();
+  Vec3 normal = Vec3{}, from = Vec3{};
   double way = 0, until = 0;  // [m]
 };
 
@@ -118,7 +118,7 @@ class MovingRock {
 
   [[nodiscard]] bool is_sphere() const { return laws.model == RockModel::rigid_sphere; }
   [[nodiscard]] double kinetic_energy() const {
-    return 0.5 * rock.mass * motion.velocity.squaredNorm() + 0.5 * rock.inertia * motion.spin.squaredNorm();
+    return 0.5 * rock.mass * motion.velocity.squared_norm() + 0.5 * rock.inertia * motion.spin.squared_norm();
   }
   /// Whether it is caught, and slower than a rock that may stop.
   [[nodiscard]] bool is_wedged() const {
@@ -249,8 +249,8 @@ template <class Surface, class GroundState>
 
 template <class Surface>
 [[nodiscard]] RockState come_to_rest(MovingRock<Surface>& rock) {
-  rock.motion.velocity.setZero();
-  if (rock.is_sphere()) rock.motion.spin.setZero();  // a lumped mass keeps its spin, as in RocFall
+  rock.motion.velocity = {};
+  if (rock.is_sphere()) rock.motion.spin = {};  // a lumped mass keeps its spin, as in RocFall
   return Ended{EndReason::at_rest};
 }
 

@@ -67,7 +67,7 @@ template <class Surface>
   // At equal distance, but for rounding, its own facet has priority.
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
-    Support on{Vec3::Zero(), {}};
+    Support on{Vec3{}, {}};
   } nearest, same;
   rock.surface.supports(motion.position, rock.reach, tolerance::edge_step * rock.reach,
                         [&](const Vec3& n, const Vec3&, double distance, FacetId facet) {
@@ -125,7 +125,7 @@ template <class Surface>
     return NextState{strike(rock, *end.ahead, ground_so_far(rock, state))};
   }
   const Motion before = rock.motion;
-  move_along(rock, leg, t, Vec3::Zero());
+  move_along(rock, leg, t, Vec3{});
   const OverEdge place = settle_over_edge(rock, state);
   // The logged path is bent so that it ends where the sphere is.
   if (t > 0) leg.path.a = 2 / (t * t) * (rock.motion.position - leg.path.p - t * leg.path.v);

@@ -28,14 +28,14 @@ struct MaxMotion {
 /// Over the piece's parameter from `from` to `to`. Velocity and spin are linear in it, so that speed and energies are
 /// convex, with their maximum at an end. A glide must be passed step by step.
 [[nodiscard]] inline MaxMotion max_motion(const PathPiece& piece, const Rock& rock, double from, double to) {
-  const double start = piece.velocity(from).squaredNorm(), end = piece.velocity(to).squaredNorm();
+  const double start = piece.velocity(from).squared_norm(), end = piece.velocity(to).squared_norm();
   const double largest = std::max(start, end), half_mass = 0.5 * rock.mass, half_inertia = 0.5 * rock.inertia;
   if (!piece.on_ground) {
-    return {largest, half_mass * largest, half_mass * largest + half_inertia * piece.spin.squaredNorm()};
+    return {largest, half_mass * largest, half_mass * largest + half_inertia * piece.spin.squared_norm()};
   }
   return {largest, half_mass * largest,
-          std::max(half_mass * start + half_inertia * piece.spin_at(from).squaredNorm(),
-                   half_mass * end + half_inertia * piece.spin_at(to).squaredNorm())};
+          std::max(half_mass * start + half_inertia * piece.spin_at(from).squared_norm(),
+                   half_mass * end + half_inertia * piece.spin_at(to).squared_norm())};
 }
 
 /// The maximum height [m] of a flight, its parameter from `from` to `to`, or `known` if that is larger.
@@ -51,7 +51,7 @@ template <class Surface>
 [[nodiscard]] inline std::optional<double> height_over(const Outline& facet, const Vec3& place) {
   if (!(facet.normal.z() > 0)) return std::nullopt;
   const double height = facet.normal.dot(place - facet.point) / facet.normal.z();
-  const Vec3 below = place - height * Vec3::UnitZ();
+  const Vec3 below = place - height * unit_z;
   for (std::size_t k = 0; k < static_cast<std::size_t>(facet.edge_count); ++k) {
     if (!((below - facet.edges[k].point).dot(facet.edges[k].inward) >= 0)) return std::nullopt;
   }
@@ -65,7 +65,7 @@ template <class Surface>
 [[nodiscard]] double max_height_of_leg(const Surface& surface, const Outline& facet, const Parabola& leg,
                                        double duration, double from, double to, double known) {
   const Vec3 chord = leg.at(duration) - leg.p;
-  const double squared_length = chord.squaredNorm();
+  const double squared_length = chord.squared_norm();
   const auto share = [&](double s) {
     return squared_length > 0 ? std::clamp((leg.at(s) - leg.p).dot(chord) / squared_length, 0.0, 1.0) : 0.0;
   };
@@ -75,7 +75,7 @@ template <class Surface>
     const auto at_start = height_over(facet, start), at_end = height_over(facet, leg.p + last * chord);
     if (at_start && at_end) return std::max({known, *at_start, *at_end});
   }
-  return surface.max_height({start, chord, Vec3::Zero()}, last - first, known);
+  return surface.max_height({start, chord, Vec3{}}, last - first, known);
 }
 
 /// The maximum height on any piece except a glide.

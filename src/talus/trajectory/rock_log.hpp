@@ -40,16 +40,16 @@ struct PathPiece {
 
   /// Of a glide: straight steps of equal duration, which the log keeps in two directions on the facet.
   struct Steps {
-    std::size_t first = 0, count = 0;                // in RockLog::glide_steps
-    double timestep = 0;                             // [s]
-    Vec3 down = Vec3::Zero(), aside = Vec3::Zero();  // unit; steps are relative to the start of the piece
+    std::size_t first = 0, count = 0;  // in RockLog::glide_steps
+    double timestep = 0;               // [s]
+    Vec3 down, aside;                  // unit; steps are relative to the start of the piece
   };
   Steps steps;
 
   /// On the ground.
   struct Ends {
-    Vec3 start_velocity = Vec3::Zero(), end_velocity = Vec3::Zero();  // [m/s]
-    Vec3 end_spin = Vec3::Zero();                                     // [rad/s]
+    Vec3 start_velocity, end_velocity;  // [m/s]
+    Vec3 end_spin;                      // [rad/s]
   };
   Ends ends;
 
@@ -132,17 +132,15 @@ class RockLog {
         {path, duration, motion.time, motion.spin, true, facet, {}, {}, {motion.velocity, then.velocity, then.spin}});
   }
   /// A piece of no duration on the ground: the motion right after an impact, part of which the ground takes away.
-  void moment(const Motion& motion, FacetId facet) {
-    leg({motion.position, Vec3::Zero(), Vec3::Zero()}, 0, motion, motion, facet);
-  }
+  void moment(const Motion& motion, FacetId facet) { leg({motion.position, Vec3{}, Vec3{}}, 0, motion, motion, facet); }
   /// A glide that starts with `motion` and leads `way` far: the steps of the list from `first` to its end.
   void glide(const Motion& motion, double way, std::size_t first, double timestep, const Vec3& down, const Vec3& aside,
              FacetId facet) {
     ways.on_ground += way;
     const std::size_t count = glide_steps.size() - first;
     if (!keep_pieces_ || count == 0) return;
-    const auto velocity = [&](const GlideStep& step) { return Vec3(step.vx * down + step.vy * aside); };
-    pieces.push_back({{motion.position, velocity(glide_steps[first]), Vec3::Zero()},
+    const auto velocity = [&](const GlideStep& step) { return step.vx * down + step.vy * aside; };
+    pieces.push_back({{motion.position, velocity(glide_steps[first]), Vec3{}},
                       static_cast<double>(count) * timestep,
                       motion.time,
                       motion.spin,
@@ -163,7 +161,7 @@ class RockLog {
       start += before.x * down + before.y * aside;
       start_velocity = before.vx * down + before.vy * aside;
     }
-    return {{start, velocity, Vec3::Zero()},
+    return {{start, velocity, Vec3{}},
             timestep,
             glide.start_time + static_cast<double>(number) * timestep,
             glide.spin,

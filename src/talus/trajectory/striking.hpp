@@ -17,7 +17,7 @@ template <class Surface>
   const Vec3 vt = tangential(v, n);
   const Vec3 down = tangential(rock.laws.gravity, n);
   // A rock that falls straight down on level ground has no heading: any will do.
-  const Vec3 across = vt.squaredNorm() > 0 ? vt : down.squaredNorm() > 0 ? down : tangential(Vec3::UnitX(), n);
+  const Vec3 across = vt.squared_norm() > 0 ? vt : down.squared_norm() > 0 ? down : tangential(unit_x, n);
   std::optional<FaceTilt> face;
   if (rock.laws.roughness == RoughnessLaw::faces) {
     const double speed = v.norm();
@@ -39,7 +39,7 @@ template <class Surface>
   const Vec3 &n = on.normal, &m = before.with.normal;
   const Vec3 across = tangential(m, n);
   const Vec3 bottom =
-      rock.motion.position - m.dot(rock.motion.position - before.position) / across.squaredNorm() * across;
+      rock.motion.position - m.dot(rock.motion.position - before.position) / across.squared_norm() * across;
   bool is_open = true;
   rock.surface.supports(
       bottom, rock.reach, tolerance::one_contact, [&](const Vec3& away, const Vec3&, double distance, FacetId facet) {
@@ -64,7 +64,7 @@ template <class Surface>
   std::optional<InValley> valley;
   SideContact side_contact;
   const bool struck_here =
-      (rock.motion.position - before.position).squaredNorm() < tolerance::one_contact * tolerance::one_contact;
+      (rock.motion.position - before.position).squared_norm() < tolerance::one_contact * tolerance::one_contact;
   if (struck_here && before.with.normal.dot(n) < 1 - tolerance::facet_normal) {
     const auto caught =
         caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);

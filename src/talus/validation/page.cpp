@@ -178,8 +178,8 @@ std::string distribution_figure(const SitePrediction& site) {
 std::string map_figure(const SitePrediction& site) {
   Vec2 least = site.runs.front().observed.stop, most = least;
   const auto widen = [&](const Vec2& at) {
-    least = least.cwiseMin(at);
-    most = most.cwiseMax(at);
+    least = least.min(at);
+    most = most.max(at);
   };
   std::vector<Vec2> dots;
   const std::size_t replicas = site.runs.front().stops.size(), all = replicas * site.runs.size();
@@ -192,8 +192,8 @@ std::string map_figure(const SitePrediction& site) {
     widen(run.observed.release);
   }
   constexpr double margin = 5;  // [m]
-  least.array() -= margin;
-  most.array() += margin;
+  least -= Vec2::all(margin);
+  most += Vec2::all(margin);
   constexpr int width = 500, borders_x = 68, borders_y = 50;  // those of Plot, so that both axes have one scale
   const double scale = (width - borders_x) / (most.x() - least.x());
   const int height = std::clamp(static_cast<int>((most.y() - least.y()) * scale) + borders_y, 200, 700);

@@ -119,7 +119,7 @@ class TargetSite {
     }
     std::vector<std::vector<Vec2>> stops(runs_.size(), std::vector<Vec2>(sets.size()));
     site_.run(numbers, sets, {.threads = threads, .seeds = seeds}, [&](std::size_t k, study::SetOutcome&& outcome) {
-      for (std::size_t run = 0; run < runs_.size(); ++run) stops[run][k] = outcome.ends[rocks_[run]].end.head<2>();
+      for (std::size_t run = 0; run < runs_.size(); ++run) stops[run][k] = outcome.ends[rocks_[run]].end.xy();
     });
     return stops;
   }
@@ -159,7 +159,7 @@ class TargetSite {
         continue;
       }
       rocks_.push_back(rock->second);
-      runs_.push_back({name, once.ends[rock->second].release.head<2>(), stop});
+      runs_.push_back({name, once.ends[rock->second].release.xy(), stop});
     }
     if (problems.has_errors()) throw BadInput(std::move(problems));
   }
