@@ -29,7 +29,7 @@ TEST(Flying, EndsOnTheGroundAtTheTimeOfTheParabola) {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.impact = PlainImpact{};
   RockOn rock(level(), {.rn = 0.5, .rt = 0.8}, laws, launched({10, 0, 5}, {3, 0, 0}));
-  const RockState next = fly(*rock, Flying{});
+  const Phase next = fly(*rock, Flying{});
   const double time = std::sqrt(2 * 5 / g), speed = g * time;
   ASSERT_TRUE(std::holds_alternative<Flying>(next));
   EXPECT_FALSE(std::get<Flying>(next).ground);
@@ -44,7 +44,7 @@ TEST(Flying, EndsOnAFacetWithoutNormalRestitution) {
   Laws laws = laws_of(RockModel::lumped_mass);
   laws.impact = PlainImpact{};
   RockOn rock(level(), {.rn = 0, .rt = 0.8, .phi = 0.5}, laws, launched({10, 0, 5}, {3, 0, 0}));
-  const RockState next = fly(*rock, Flying{});
+  const Phase next = fly(*rock, Flying{});
   ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
   const OnFacet& state = std::get<OnFacet>(next);
   EXPECT_EQ(state.on.normal, unit_z);
@@ -64,7 +64,7 @@ TEST(Flying, AfterAHopMovesOnIfItOnlyGrazesTheGround) {
     RockOn rock(level(), {.rn = 0, .rt = 0.5, .phi = phi}, laws, launched({10, 0, 0}, velocity));
     Flying state;
     if (hops) state.ground = GroundSoFar{{.mu = std::tan(phi)}, MaterialId{0}};
-    const RockState next = fly(*rock, state);
+    const Phase next = fly(*rock, state);
     ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
     const double kept = hops ? speed * std::exp(-std::tan(phi) * angle) : 0.5 * velocity.x();
     EXPECT_NEAR(rock->motion.velocity.x(), kept, 10 * rounding) << hops;
@@ -89,7 +89,7 @@ TEST(Flying, AfterAHopHasTheFrictionOfOtherGround) {
   RockOn rock(level(), soil, laws, launched({10, 0, 0}, {10, 0, -1}));
   Flying state;
   state.ground = GroundSoFar{{.mu = 0.1}, MaterialId{1}};
-  const RockState next = fly(*rock, state);
+  const Phase next = fly(*rock, state);
   ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
   EXPECT_DOUBLE_EQ(std::get<OnFacet>(next).friction.mu, std::tan(0.4));
 }
@@ -97,7 +97,7 @@ TEST(Flying, AfterAHopHasTheFrictionOfOtherGround) {
 TEST(Flying, EndsAtTheEdgeOfTheModelOrAtTheMaximumTime) {
   const Laws laws = laws_of(RockModel::lumped_mass);
   RockOn leaves(level(), {}, laws, launched({99, 0, 5}, {10, 0, 0}));
-  const RockState beyond = fly(*leaves, Flying{});
+  const Phase beyond = fly(*leaves, Flying{});
   ASSERT_TRUE(std::holds_alternative<Ended>(beyond));
   EXPECT_EQ(std::get<Ended>(beyond).reason, EndReason::left_model);
   EXPECT_NEAR(leaves->motion.position.x(), 100, 100 * rounding);
@@ -105,7 +105,7 @@ TEST(Flying, EndsAtTheEdgeOfTheModelOrAtTheMaximumTime) {
   Laws short_time = laws;
   short_time.max_time = 0.25;
   RockOn is_late(level(), {}, short_time, launched({10, 0, 50}, {1, 0, 0}));
-  const RockState late = fly(*is_late, Flying{});
+  const Phase late = fly(*is_late, Flying{});
   ASSERT_TRUE(std::holds_alternative<Ended>(late));
   EXPECT_EQ(std::get<Ended>(late).reason, EndReason::maximum_time);
   EXPECT_EQ(is_late->motion.time, 0.25);

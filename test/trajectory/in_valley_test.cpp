@@ -65,7 +65,7 @@ TEST(InValley, SlidesBetweenBothSides) {
   const double acceleration = pull - mu * across / std::cos(half);
   const auto next = take_leg(*rock, state);  // to the end of the first facets, 5 m along x
   ASSERT_TRUE(next);
-  ASSERT_TRUE(std::holds_alternative<InValley>(next->state));
+  ASSERT_TRUE(std::holds_alternative<InValley>(next->phase));
   EXPECT_NEAR(rock->motion.position.x(), 5, 1e-9);
   EXPECT_NEAR(rock->motion.position.y(), 0, 1e-9);
   const double way = 4 * std::sqrt(1 + fall * fall);
@@ -81,8 +81,8 @@ TEST(InValley, EndsAtTheEdgeOfTheModel) {
   InValley state = valley_at(mesh, rock->motion.position, 0.2);
   const auto next = take_leg(*rock, state);
   ASSERT_TRUE(next);
-  ASSERT_TRUE(std::holds_alternative<Ended>(next->state));
-  EXPECT_EQ(std::get<Ended>(next->state).reason, EndReason::left_model);
+  ASSERT_TRUE(std::holds_alternative<Ended>(next->phase));
+  EXPECT_EQ(std::get<Ended>(next->phase).reason, EndReason::left_model);
   EXPECT_NEAR(rock->motion.position.x(), 10, 1e-9);
 }
 
@@ -102,7 +102,7 @@ TEST(InValley, ContinuesOverOneSide) {
   const TriangleMesh mesh = trough();
   RockOn rock(mesh, {.phi = 0.3}, laws_of(RockModel::lumped_mass), in_the_bottom(1, 2));
   const InValley state = valley_at(mesh, rock->motion.position, 0.2);
-  const RockState next = leave_other_side(*rock, state);
+  const Phase next = leave_other_side(*rock, state);
   ASSERT_TRUE(std::holds_alternative<OnFacet>(next));
   EXPECT_EQ(std::get<OnFacet>(next).on.facet, state.on.facet);
   EXPECT_EQ(std::get<OnFacet>(next).friction.mu, 0.2);  // the same material on both sides

@@ -39,8 +39,8 @@ TEST(OnEdge, TurnsInSmallStepsAtConstantEnergy) {
     if (next) {
       // The plane of the slope carries the sphere after the edge, within the same stretch.
       EXPECT_TRUE(next->is_same_stretch);
-      ASSERT_TRUE(std::holds_alternative<OnFacet>(next->state));
-      EXPECT_EQ(std::get<OnFacet>(next->state).on.facet, FacetId{1});
+      ASSERT_TRUE(std::holds_alternative<OnFacet>(next->phase));
+      EXPECT_EQ(std::get<OnFacet>(next->phase).on.facet, FacetId{1});
       break;
     }
     EXPECT_LE(std::acos(std::min(1.0, before.dot(state.on.normal))), 1.01 * tolerance::edge_step);
@@ -59,12 +59,12 @@ TEST(OnEdge, TakesOffWhereItsWeightNoLongerTurnsIt) {
                        {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)}, ball);
   rock->motion.spin = Vec3(0, speed / ball.radius, 0);
   OnEdge state = on_the_brow(1e6);  // never slips; legs are short because of the possible friction
-  std::optional<NextState> next;
+  std::optional<NextPhase> next;
   for (int steps = 0; !next; ++steps) {
     ASSERT_LT(steps, 1'000'000);
     next = take_leg(*rock, state);
   }
-  ASSERT_TRUE(std::holds_alternative<Flying>(next->state));
+  ASSERT_TRUE(std::holds_alternative<Flying>(next->phase));
   // cos = (10 + 7 F) / 17, to within the angle of a step.
   EXPECT_NEAR(std::acos(state.on.normal.z()), std::acos((10 + 7 * froude) / 17), 2 * tolerance::edge_step);
 }

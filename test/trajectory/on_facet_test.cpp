@@ -33,19 +33,19 @@ OnFacet first_facet(const Profile& profile, double mu) {
 }
 
 /// A rock at rest, `way` above the bend, with one leg to the end of its facet.
-RockState slide_to_the_bend(RockOn<Profile>& rock, const Profile& profile, double mu) {
+Phase slide_to_the_bend(RockOn<Profile>& rock, const Profile& profile, double mu) {
   OnFacet state = first_facet(profile, mu);
   const auto next = take_leg(*rock, state);
   EXPECT_TRUE(next && !next->is_same_stretch);
-  return next ? next->state : Ended{EndReason::lost};
+  return next ? next->phase : Ended{EndReason::lost};
 }
 
 TEST(OnFacet, ASphereMovesALimitedNumberOfRadiiInOneStep) {
   const Profile profile = bend(-2);
   const Rock pebble = sphere_of_diameter(0.005, 2700);
   const Vec3 n = profile.normal(FacetId{0});
-  RockOn rock(profile, {.mu = 0.6}, laws_of(RockModel::rigid_sphere, 1e6),
-              {-40 * down + pebble.radius * n, Vec3{}}, pebble);
+  RockOn rock(profile, {.mu = 0.6}, laws_of(RockModel::rigid_sphere, 1e6), {-40 * down + pebble.radius * n, Vec3{}},
+              pebble);
   OnFacet state{{n, FacetId{0}}, {.sphere = {0.6, 0.1}}, {}};
   for (int k = 0; k < 20; ++k) {
     const Vec3 before = rock->motion.position;
@@ -61,7 +61,7 @@ TEST(OnFacet, ReachesTheEndWithTheSpeedFromEnergy) {
   const double way = 20, mu = 0.25;
   const Profile profile = bend(-2);
   RockOn rock(profile, {}, closed_form(), {Vec3(-way * down), Vec3{}});
-  const RockState next = slide_to_the_bend(rock, profile, mu);
+  const Phase next = slide_to_the_bend(rock, profile, mu);
   const double speed = std::sqrt(2 * way * g * (0.6 - mu * 0.8));
   EXPECT_NEAR(rock->motion.velocity.dot(down), speed, 1e-9);
   EXPECT_NEAR(rock->motion.position.norm(), 0, 1e-9);
@@ -75,14 +75,14 @@ TEST(OnFacet, ReachesTheEndWithTheSpeedFromEnergy) {
 TEST(OnFacet, StrikesRisingGroundAndSlidesOnWithinAPlane) {
   const Profile rising = bend(0.5), straight = bend(-0.75);
   RockOn strikes(rising, {.rn = 0.5, .rt = 1}, closed_form(), {Vec3(-20 * down), Vec3{}});
-  const RockState flies = slide_to_the_bend(strikes, rising, 0.25);
+  const Phase flies = slide_to_the_bend(strikes, rising, 0.25);
   ASSERT_TRUE(std::holds_alternative<Flying>(flies));
   EXPECT_FALSE(std::get<Flying>(flies).ground);
   EXPECT_EQ(strikes->last_contact.with.facet, FacetId{1});
 
   // Within one plane and one material the leg continues past the vertex to the end of the model.
   RockOn slides(straight, {}, closed_form(), {Vec3(-20 * down), Vec3{}});
-  const RockState leaves = slide_to_the_bend(slides, straight, 0.25);
+  const Phase leaves = slide_to_the_bend(slides, straight, 0.25);
   ASSERT_TRUE(std::holds_alternative<Ended>(leaves));
   EXPECT_EQ(std::get<Ended>(leaves).reason, EndReason::left_model);
   EXPECT_NEAR(slides->motion.position.x(), 40, 1e-9);
@@ -95,7 +95,7 @@ TEST(OnFacet, RestsOnlyIfFrictionHoldsIt) {
     OnFacet state = first_facet(profile, mu);
     const auto next = take_leg(*rock, state);
     ASSERT_TRUE(next);
-    const auto* const end = std::get_if<Ended>(&next->state);
+    const auto* const end = std::get_if<Ended>(&next->phase);
     EXPECT_EQ(end != nullptr && end->reason == EndReason::at_rest, mu > 0.75);
   }
 }

@@ -36,7 +36,7 @@ TEST(Striking, LeavesTheGroundOnlyAboveTheCutoff) {
     for (const double into : {0.1, 0.3}) {
       const Vec3 n = vee().normal(FacetId{0});
       RockOn rock(vee(), {.rn = 0.5}, laws_of(model), {Vec3(-5, 0, 5), Vec3(-into * n)});
-      const RockState next = strike(*rock, on_facet(vee(), 0));
+      const Phase next = strike(*rock, on_facet(vee(), 0));
       EXPECT_EQ(std::holds_alternative<Flying>(next), 0.5 * into >= 0.1);
       EXPECT_EQ(std::holds_alternative<OnFacet>(next), 0.5 * into < 0.1);
       if (0.5 * into >= 0.1) {
@@ -51,7 +51,7 @@ TEST(Striking, ASecondContactInOnePlaceIsAValleyIfGravityHoldsTheRock) {
   RockOn rock(vee(), {.rn = 0}, laws_of(RockModel::lumped_mass), {Vec3{}, Vec3(0, 0, -1)});
   ASSERT_TRUE(std::holds_alternative<OnFacet>(strike(*rock, on_facet(vee(), 0))));
   rock->motion.velocity = Vec3(0, 2, -1);
-  const RockState next = strike(*rock, on_facet(vee(), 1));
+  const Phase next = strike(*rock, on_facet(vee(), 1));
   ASSERT_TRUE(std::holds_alternative<InValley>(next));
   const InValley& state = std::get<InValley>(next);
   EXPECT_EQ(state.on.normal, normals[1]);
@@ -71,7 +71,7 @@ TEST(Striking, ARidgeCarriesASlowSphere) {
     const double speed = std::sqrt(froude * standard_gravity * ball.radius);
     RockOn rock(roof(), {.rn = 0, .rt = 1, .mu = 0}, laws_of(RockModel::rigid_sphere),
                 {Vec3(0, 0, ball.radius), Vec3(speed, 0, 0)}, ball);
-    const RockState next = strike(*rock, {0, unit_z, FacetId{0}, Feature::vertex});
+    const Phase next = strike(*rock, {0, unit_z, FacetId{0}, Feature::vertex});
     EXPECT_EQ(std::holds_alternative<OnEdge>(next), froude < 1) << froude;
     EXPECT_EQ(std::holds_alternative<Flying>(next), froude > 1) << froude;
   }

@@ -13,7 +13,7 @@ struct GroundBeneath {
   Footing footing;
   /// The part of a velocity along it.
   [[nodiscard]] Vec3 along_ground(const Vec3& velocity) const {
-    return valley ? Vec3(velocity.dot(*valley) * *valley) : tangential(velocity, normal);
+    return valley ? velocity.dot(*valley) * *valley : tangential(velocity, normal);
   }
 };
 
@@ -57,7 +57,7 @@ template <class Surface>
     // Along the ground the rebound leads into the barrier: the rock can only move along both.
     const Vec3 along = on->normal.cross(n);
     const bool can_move = !on->valley && along.squared_norm() > 0;
-    leaving = can_move ? Vec3(leaving.dot(along) / along.squared_norm() * along) : Vec3{};
+    leaving = can_move ? leaving.dot(along) / along.squared_norm() * along : Vec3{};
   }
   const double pressing = -pull.dot(n);
   const bool returns_in_a_step = leaving.dot(n) < rock.laws.timestep * pressing;

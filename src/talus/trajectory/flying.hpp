@@ -43,10 +43,10 @@ template <class Surface>
   return edge.t < t_max ? FlightEnd{edge.t, {}, edge} : end;
 }
 
-/// Flies to `flight_end`, or to a barrier before it, and returns the next state; nullopt if the rock is still flying.
+/// Flies to `flight_end`, or to a barrier before it, and returns the next phase; nullopt if the rock is still flying.
 template <class Surface>
-[[nodiscard]] std::optional<RockState> fly_along(MovingRock<Surface>& rock, const Flying& state, const Parabola& path,
-                                                 const LinearDrag& drag, const FlightEnd& flight_end) {
+[[nodiscard]] std::optional<Phase> fly_along(MovingRock<Surface>& rock, const Flying& phase, const Parabola& path,
+                                             const LinearDrag& drag, const FlightEnd& flight_end) {
   Motion& motion = rock.motion;
   const double start = motion.time;
   // Barriers record times by the parabola's parameter.
@@ -78,16 +78,16 @@ template <class Surface>
                                           : max_height_of_flight(rock.surface, path, 0, flight_end.t, rock.max_height);
   rock.log.flight(path, flight_end.t, motion, drag);
   rock.advance(path, drag, flight_end.t);
-  if (flight_end.contact) return strike(rock, *flight_end.contact, state.ground);
+  if (flight_end.contact) return strike(rock, *flight_end.contact, phase.ground);
   if (flight_end.exit) return Ended{reason_of(*flight_end.exit)};
   return std::nullopt;
 }
 
 template <class Surface>
-[[nodiscard]] RockState fly(MovingRock<Surface>& rock, const Flying& state) {
+[[nodiscard]] Phase fly(MovingRock<Surface>& rock, const Flying& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
-  const FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, state.left);
-  const auto next = fly_along(rock, state, path, {}, end);
+  const FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, phase.left);
+  const auto next = fly_along(rock, phase, path, {}, end);
   return next ? *next : Ended{EndReason::maximum_time};
 }
 

@@ -36,9 +36,9 @@ template <class Surface>
 
 /// A flight outside forests, up to the first one.
 template <class Surface>
-[[nodiscard]] std::optional<RockState> fly_to_forest(MovingRock<Surface>& rock, const Flying& state) {
+[[nodiscard]] std::optional<Phase> fly_to_forest(MovingRock<Surface>& rock, const Flying& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
-  FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, state.left);
+  FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, phase.left);
   for (double t = 0; t < end.t;) {
     const double next = std::min(end.t, t + forest_step_time(rock.laws, path.velocity(t)));
     if (forest_drag_at(rock, path.at(next)) > 0) {
@@ -47,12 +47,12 @@ template <class Surface>
     }
     t = next;
   }
-  return fly_along(rock, state, path, {}, end);
+  return fly_along(rock, phase, path, {}, end);
 }
 
 /// One piece of a flight in a forest.
 template <class Surface>
-[[nodiscard]] std::optional<RockState> fly_in_forest(MovingRock<Surface>& rock, const Flying& state, double rate) {
+[[nodiscard]] std::optional<Phase> fly_in_forest(MovingRock<Surface>& rock, const Flying& phase, double rate) {
   const Motion& motion = rock.motion;
   const Laws& laws = rock.laws;
   LinearDrag drag{rate, laws.gravity};
@@ -65,25 +65,25 @@ template <class Surface>
     length = tolerance::forest_step / std::max(motion.velocity.norm(), tolerance::least_speed);
   }
   length = std::min(length, drag.parameter(laws.max_time - motion.time));
-  const Parabola path = sinks ? Parabola{motion.position, motion.velocity, Vec3{}}
-                              : drag.piece(motion.position, motion.velocity, length);
+  const Parabola path =
+      sinks ? Parabola{motion.position, motion.velocity, Vec3{}} : drag.piece(motion.position, motion.velocity, length);
   if (forest_drag_at(rock, path.at(length)) != rate) length = forest_border_between(rock, path, 0, length, rate);
 
   FlightEnd end{length, {}, {}};
-  if (const FlightEnd met = first_contact(rock, path, length, state.left); met.contact) {
+  if (const FlightEnd met = first_contact(rock, path, length, phase.left); met.contact) {
     end = met;
   } else if (!rock.surface.ground_below(path.at(length))) {
     const Exit exit = rock.surface.exit(path);
     if (exit.t <= length) end = {exit.t, {}, exit};
   }
-  return fly_along(rock, state, path, drag, end);
+  return fly_along(rock, phase, path, drag, end);
 }
 
 template <class Surface>
-[[nodiscard]] RockState fly_with_forests(MovingRock<Surface>& rock, const Flying& state) {
+[[nodiscard]] Phase fly_with_forests(MovingRock<Surface>& rock, const Flying& phase) {
   while (true) {
     const double rate = forest_drag_at(rock, rock.motion.position);
-    const auto next = rate > 0 ? fly_in_forest(rock, state, rate) : fly_to_forest(rock, state);
+    const auto next = rate > 0 ? fly_in_forest(rock, phase, rate) : fly_to_forest(rock, phase);
     if (next) return *next;
     if (rock.motion.time >= rock.laws.max_time) return Ended{EndReason::maximum_time};
     rock.update_max_energy();

@@ -10,7 +10,7 @@ namespace talus {
 /// A glide that starts at the rock's present motion.
 struct GlideOnFacet {
   Glide glide;
-  Vec3 down = Vec3{}, aside = Vec3{};  // unit, on the facet
+  Vec3 down, aside;  // unit, on the facet
   FacetId facet;
   double way_to_bump = 0;      // at its start [m]
   std::size_t first_step = 0;  // in the log
@@ -18,15 +18,15 @@ struct GlideOnFacet {
 
 /// The glide from the rock's present motion; nullopt if it cannot glide.
 template <class Surface>
-[[nodiscard]] std::optional<GlideOnFacet> prepare_glide(MovingRock<Surface>& rock, const OnFacet& state) {
+[[nodiscard]] std::optional<GlideOnFacet> prepare_glide(MovingRock<Surface>& rock, const OnFacet& phase) {
   const Laws& laws = rock.laws;
-  if (rock.is_sphere() || laws.sliding != SlidingMethod::stepped || state.friction.drag != 0) return std::nullopt;
-  const Footing footing = footing_of(rock, state);
+  if (rock.is_sphere() || laws.sliding != SlidingMethod::stepped || phase.friction.drag != 0) return std::nullopt;
+  const Footing footing = footing_of(rock, phase);
   const double pull = footing.pull.norm();
   if (pull == 0) return std::nullopt;
   GlideOnFacet on;
   on.down = footing.pull / pull;
-  on.aside = state.on.normal.cross(on.down);
+  on.aside = phase.on.normal.cross(on.down);
   const Motion& motion = rock.motion;
   const Vec3& start = motion.position;
 
@@ -36,16 +36,16 @@ template <class Surface>
   glide.speed = std::sqrt(glide.vx * glide.vx + glide.vy * glide.vy);
   glide.time = motion.time;
   glide.gain = laws.timestep * pull;
-  glide.braking = laws.timestep * state.friction.mu * footing.normal_acceleration;
+  glide.braking = laws.timestep * phase.friction.mu * footing.normal_acceleration;
   const double way = free_way(rock.barriers, start, rock.reach);
   glide.squared_way = way * way;
-  on.way_to_bump = glide.way_to_bump = rock.way_to_bump(state.on.facet);
-  const Outline& outline = rock.outline_of(state.on.facet);
+  on.way_to_bump = glide.way_to_bump = rock.way_to_bump(phase.on.facet);
+  const Outline& outline = rock.outline_of(phase.on.facet);
   for (std::size_t k = 0; k < static_cast<std::size_t>(outline.edge_count); ++k) {
     const OutlineEdge& edge = outline.edges[k];
     glide.sides[k] = {edge.inward.dot(start - edge.point), edge.inward.dot(on.down), edge.inward.dot(on.aside)};
   }
-  on.facet = state.on.facet;
+  on.facet = phase.on.facet;
   on.first_step = rock.log.glide_steps.size();
   return on;
 }

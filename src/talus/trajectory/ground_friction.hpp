@@ -42,10 +42,10 @@ template <class Surface>
 /// In a valley between two materials each brakes the rock in proportion to the normal force of its side. `own`: that of
 /// the rock's facet.
 template <class Surface>
-[[nodiscard]] GroundFriction shared_friction(MovingRock<Surface>& rock, GroundFriction own, const InValley& state) {
-  if (rock.material_at(state.other.facet) == rock.material_at(state.on.facet)) return own;
-  const GroundFriction other = friction_at(rock, state.other.facet);
-  const auto mix = [share = state.valley.first_share](double& mine, double others) { mine += share * (others - mine); };
+[[nodiscard]] GroundFriction shared_friction(MovingRock<Surface>& rock, GroundFriction own, const InValley& phase) {
+  if (rock.material_at(phase.other.facet) == rock.material_at(phase.on.facet)) return own;
+  const GroundFriction other = friction_at(rock, phase.other.facet);
+  const auto mix = [share = phase.valley.first_share](double& mine, double others) { mine += share * (others - mine); };
   mix(own.mu, other.mu);
   mix(own.drag, other.drag);
   mix(own.sphere.dynamic, other.sphere.dynamic);
@@ -55,9 +55,9 @@ template <class Surface>
 
 /// Drawn for both sides of a valley.
 template <class Surface>
-[[nodiscard]] GroundFriction friction_in(MovingRock<Surface>& rock, const InValley& state) {
-  const GroundFriction own = friction_at(rock, state.on.facet);
-  return shared_friction(rock, own, state);
+[[nodiscard]] GroundFriction friction_in(MovingRock<Surface>& rock, const InValley& phase) {
+  const GroundFriction own = friction_at(rock, phase.on.facet);
+  return shared_friction(rock, own, phase);
 }
 
 /// The least time [s] in which a rock moves by `way` [m], from `speed`, with at most this acceleration.

@@ -1,6 +1,6 @@
 #pragma once
-// One leg along the ground, common to all states on it: whether the rock rests, the law that moves it, and what cuts
-// the leg short. What differs between states is in the functions that the concept GroundState lists.
+// One leg along the ground, common to all phases on it: whether the rock rests, the law that moves it, and what cuts
+// the leg short. What differs between phases is in the functions that the concept GroundPhase lists.
 
 #include <concepts>
 
@@ -22,86 +22,86 @@ struct LegEnd {
   std::optional<Exit> rim;          // the edge of the model, below a sphere's centre
 };
 
-/// A state of a rock on the ground: the functions that take_leg() needs of it.
-template <class State, class Surface>
-concept GroundState = requires(MovingRock<Surface>& rock, State& state, Leg& leg, double& t, const LegEnd& end,
+/// A phase of a rock on the ground: the functions that take_leg() needs of it.
+template <class Current, class Surface>
+concept GroundPhase = requires(MovingRock<Surface>& rock, Current& phase, Leg& leg, double& t, const LegEnd& end,
                                const Footing& footing) {
-  { footing_of(rock, state) } -> std::same_as<Footing>;
+  { footing_of(rock, phase) } -> std::same_as<Footing>;
   /// Maximum duration of a leg [s].
-  { longest_leg(rock, state, footing) } -> std::same_as<double>;
-  { rolling_plane(rock, state) } -> std::same_as<RollingPlane>;
-  { ground_beneath(state, footing) } -> std::same_as<GroundBeneath>;
+  { longest_leg(rock, phase, footing) } -> std::same_as<double>;
+  { rolling_plane(rock, phase) } -> std::same_as<RollingPlane>;
+  { ground_beneath(phase, footing) } -> std::same_as<GroundBeneath>;
   /// What carries the rock, so that a leg does not collide with it.
-  { carrying(rock, state) } -> std::same_as<SupportPlanes>;
+  { carrying(rock, phase) } -> std::same_as<SupportPlanes>;
   /// The next leg also runs along a guide.
-  { set_guide(state, Guide{}) } -> std::same_as<void>;
+  { set_guide(phase, Guide{}) } -> std::same_as<void>;
   /// The guide of the next leg, or null.
-  { guide_of(state) } -> std::same_as<const Guide*>;
-  /// Applies the state's side contact, if any, to this leg, and clears it.
-  { apply_side_contact(rock, state, leg, t) } -> std::same_as<void>;
+  { guide_of(phase) } -> std::same_as<const Guide*>;
+  /// Applies the phase's side contact, if any, to this leg, and clears it.
+  { apply_side_contact(rock, phase, leg, t) } -> std::same_as<void>;
   /// The end of the plane, if the leg reaches it before `t`, which is then set to that time.
-  { outline_ahead(rock, state, leg.path, t) } -> std::same_as<std::optional<OutlineEdge>>;
-  /// Moves the rock to the end of the leg, and returns the state there if it has changed.
-  { finish_leg(rock, state, leg, end) } -> std::same_as<std::optional<NextState>>;
+  { outline_ahead(rock, phase, leg.path, t) } -> std::same_as<std::optional<OutlineEdge>>;
+  /// Moves the rock to the end of the leg, and returns the phase there if it has changed.
+  { finish_leg(rock, phase, leg, end) } -> std::same_as<std::optional<NextPhase>>;
 };
 
-template <class Surface, class State>
-[[nodiscard]] Leg leg_without_drag(const MovingRock<Surface>& rock, const State& state, const Footing& footing,
+template <class Surface, class Current>
+[[nodiscard]] Leg leg_without_drag(const MovingRock<Surface>& rock, const Current& phase, const Footing& footing,
                                    double timestep) {
   const auto& [position, velocity, spin, time] = rock.motion;
   if (!rock.is_sphere()) {
     const auto law = rock.laws.sliding == SlidingMethod::stepped ? stepped_leg : closed_form_leg;
-    return law(position, velocity, spin, footing, state.friction.mu, timestep);
+    return law(position, velocity, spin, footing, phase.friction.mu, timestep);
   }
-  const auto [n, round, friction] = rolling_plane(rock, state);
+  const auto [n, round, friction] = rolling_plane(rock, phase);
   return rolling_leg(position, velocity, spin, n, footing, round, friction, timestep);
 }
 
-template <class Surface, class State>
-[[nodiscard]] Leg next_leg(const MovingRock<Surface>& rock, const State& state, const Footing& footing) {
-  const double longest = longest_leg(rock, state, footing), drag = state.friction.drag;
-  if (drag == 0) return leg_without_drag(rock, state, footing, longest);
+template <class Surface, class Current>
+[[nodiscard]] Leg next_leg(const MovingRock<Surface>& rock, const Current& phase, const Footing& footing) {
+  const double longest = longest_leg(rock, phase, footing), drag = phase.friction.drag;
+  if (drag == 0) return leg_without_drag(rock, phase, footing, longest);
   const Vec3& velocity = rock.motion.velocity;
-  const bool rolls = rock.is_sphere() && rock.state_on(state.on.normal) == PathState::rolling;
-  const RollingPlane plane = rolling_plane(rock, state);
+  const bool rolls = rock.is_sphere() && rock.state_on(phase.on.normal) == PathState::rolling;
+  const RollingPlane plane = rolling_plane(rock, phase);
   const double friction = footing.normal_acceleration * (rolls              ? plane.friction.rolling
                                                          : rock.is_sphere() ? plane.friction.dynamic
-                                                                            : state.friction.mu);
+                                                                            : phase.friction.mu);
   const Vec3 net = footing.pull - friction / std::max(velocity.norm(), tolerance::least_speed) * velocity;
   const double timestep = dragged_timestep(drag, longest, net, velocity);
   const double share = rolls ? rolling_share(plane.rock) : 1;
-  return cut_short(leg_without_drag(rock, state, dragged(footing, velocity, drag, timestep, share), timestep),
+  return cut_short(leg_without_drag(rock, phase, dragged(footing, velocity, drag, timestep, share), timestep),
                    timestep);
 }
 
 /// Whether the rock stops here.
-template <class Surface, class State>
-[[nodiscard]] bool rests(const MovingRock<Surface>& rock, const State& state, const Footing& footing) {
+template <class Surface, class Current>
+[[nodiscard]] bool rests(const MovingRock<Surface>& rock, const Current& phase, const Footing& footing) {
   const Motion& motion = rock.motion;
   const double speed = motion.velocity.norm();
   const bool has_closed_form = !rock.is_sphere() && rock.laws.sliding == SlidingMethod::closed_form;
   if (speed > rock.laws.stopped_velocity) return false;
-  if (rock.is_sphere() && state.friction.sphere.dynamic > 0) {
+  if (rock.is_sphere() && phase.friction.sphere.dynamic > 0) {
     // Friction accelerates a sphere that stands and spins.
-    const Vec3 slip = slip_velocity(motion.velocity, motion.spin, state.on.normal, rock.rock.radius);
+    const Vec3 slip = slip_velocity(motion.velocity, motion.spin, phase.on.normal, rock.rock.radius);
     if (slip.norm() > rock.laws.stopped_velocity) return false;
   }
   const auto is_held = [&](Footing f) {
     // A pull that drag balances below the stopping velocity does not move the rock.
-    const double crawl = state.friction.drag * rock.laws.stopped_velocity, pull = f.pull.norm();
+    const double crawl = phase.friction.drag * rock.laws.stopped_velocity, pull = f.pull.norm();
     if (crawl > 0) f.pull *= std::max(0.0, 1 - crawl / std::max(pull, tolerance::least_speed));
-    return rock.is_sphere() ? holds(f, rolling_plane(rock, state).friction) : holds(f, state.friction.mu);
+    return rock.is_sphere() ? holds(f, rolling_plane(rock, phase).friction) : holds(f, phase.friction.mu);
   };
   if (is_held(footing))
     return !has_closed_form || speed < tolerance::standstill;  // closed form: slides to a standstill
   // Several facets in a corner may hold a rock that one of them alone would not.
   Supports supports;
-  supports.add(state.on.normal);
+  supports.add(phase.on.normal);
   rock.surface.supports(motion.position, rock.reach, tolerance::support_reach,
                         [&](const Vec3& n, const Vec3& middle, double, FacetId) {
                           // A point on a ridge touches both its sides, but neither holds it: only facets that rise
                           // from here count.
-                          const bool rises = (middle - motion.position).dot(state.on.normal) > 0;
+                          const bool rises = (middle - motion.position).dot(phase.on.normal) > 0;
                           if (rock.reach > 0 || rises) supports.add(n);
                         });
   return supports.count() > 1 && is_held(footing_on(rock.laws.gravity, supports));
@@ -152,26 +152,26 @@ template <class Surface>
 }
 
 /// Other ground that a sphere touches on a leg until `t`.
-template <class Surface, class State>
-[[nodiscard]] std::optional<Contact> ground_ahead(const MovingRock<Surface>& rock, const State&, const Parabola& leg,
+template <class Surface, class Current>
+[[nodiscard]] std::optional<Contact> ground_ahead(const MovingRock<Surface>& rock, const Current&, const Parabola& leg,
                                                   double t, const SupportPlanes& on) {
   return rock.surface.first_contact_on_leg(leg, rock.reach, t, on);
 }
 
 /// What cuts a leg short: the facet's outline, other ground that a sphere touches, the edge of the model. In this order
 /// at ties.
-template <class Surface, class State>
-[[nodiscard]] LegEnd end_of_leg(MovingRock<Surface>& rock, State& state, const Leg& leg, double t,
+template <class Surface, class Current>
+[[nodiscard]] LegEnd end_of_leg(MovingRock<Surface>& rock, Current& phase, const Leg& leg, double t,
                                 const SupportPlanes& on) {
-  LegEnd end{t, outline_ahead(rock, state, leg.path, t), {}, {}};
+  LegEnd end{t, outline_ahead(rock, phase, leg.path, t), {}, {}};
   if (rock.reach > 0) {
-    end.ahead = ground_ahead(rock, state, leg.path, t, on);
+    end.ahead = ground_ahead(rock, phase, leg.path, t, on);
     if (end.ahead) {
       t = end.ahead->t;
       end.edge.reset();
     }
   }
-  end.rim = rim_ahead(rock, state.on.facet, leg.path, t);
+  end.rim = rim_ahead(rock, phase.on.facet, leg.path, t);
   if (end.rim) {
     end.edge.reset();
     end.ahead.reset();
@@ -233,46 +233,46 @@ void keep_along_guide(MovingRock<Surface>& rock, const Vec3& n, const Guide& gui
   footing.pull = footing.pull.dot(e) * e;
 }
 
-/// One leg. Returns the state after it, or nullopt if the state has not changed.
-template <class Surface, class State>
-requires GroundState<State, Surface>
-[[nodiscard]] std::optional<NextState> take_leg(MovingRock<Surface>& rock, State& state) {
+/// One leg. Returns the phase after it, or nullopt if the phase has not changed.
+template <class Surface, class Current>
+requires GroundPhase<Current, Surface>
+[[nodiscard]] std::optional<NextPhase> take_leg(MovingRock<Surface>& rock, Current& phase) {
   Motion& motion = rock.motion;
-  Footing footing = footing_of(rock, state);
-  rock.progress.record(motion, std::min(1.0, rock.laws.timestep / 0.01));
-  if (rests(rock, state, footing) || rock.is_wedged()) return NextState{come_to_rest(rock)};
-  if (motion.time >= rock.laws.max_time) return NextState{Ended{EndReason::maximum_time}};
+  Footing footing = footing_of(rock, phase);
+  rock.progress.record(motion, rock.reach, std::min(1.0, rock.laws.timestep / 0.01));
+  if (rests(rock, phase, footing) || rock.is_wedged()) return NextPhase{come_to_rest(rock)};
+  if (motion.time >= rock.laws.max_time) return NextPhase{Ended{EndReason::maximum_time}};
   const bool stands = motion.velocity.squared_norm() == 0;
   if (stands && !std::exchange(rock.stretch.has_turned, true)) rock.log.turn(motion);
 
-  if (const Guide* const guide = guide_of(state)) keep_along_guide(rock, state.on.normal, *guide, footing);
-  Leg leg = next_leg(rock, state, footing);
+  if (const Guide* const guide = guide_of(phase)) keep_along_guide(rock, phase.on.normal, *guide, footing);
+  Leg leg = next_leg(rock, phase, footing);
   double t = std::min(leg.duration, rock.laws.max_time - motion.time);
-  const SupportPlanes on = carrying(rock, state);
-  apply_side_contact(rock, state, leg, t);
-  const bool comes_to_bump = bump_ahead(rock, state.on.facet, leg.path, t);
-  const LegEnd end = end_of_leg(rock, state, leg, t, on);
-  const GroundBeneath beneath = ground_beneath(state, footing);
-  const LegAtBarriers barriers = meet_barriers(rock, state.on.facet, leg, end.t, beneath);
-  if (barriers.effect == AtBarrier::stopped) return NextState{Ended{EndReason::stopped_by_barrier}};
+  const SupportPlanes on = carrying(rock, phase);
+  apply_side_contact(rock, phase, leg, t);
+  const bool comes_to_bump = bump_ahead(rock, phase.on.facet, leg.path, t);
+  const LegEnd end = end_of_leg(rock, phase, leg, t, on);
+  const GroundBeneath beneath = ground_beneath(phase, footing);
+  const LegAtBarriers barriers = meet_barriers(rock, phase.on.facet, leg, end.t, beneath);
+  if (barriers.effect == AtBarrier::stopped) return NextPhase{Ended{EndReason::stopped_by_barrier}};
   if (barriers.effect == AtBarrier::continues) {
     motion.velocity = beneath.along_ground(motion.velocity);
-    rock.log_row(rock.state_on(state.on.normal));
-    return NextState{state};  // a new stretch, which counts as a step
+    rock.log_row(rock.state_on(phase.on.normal));
+    return NextPhase{phase};  // a new stretch, which counts as a step
   }
   if (barriers.guide) {
-    set_guide(state, *barriers.guide);
+    set_guide(phase, *barriers.guide);
     return std::nullopt;
   }
-  if (auto next = finish_leg(rock, state, leg, end)) return next;
+  if (auto next = finish_leg(rock, phase, leg, end)) return next;
   if (!comes_to_bump || end.t < t) return std::nullopt;
-  const Feature feature = rock.is_facet(state.on) ? Feature::facet : Feature::edge;
-  rock.remember_contact(state.on);
-  auto next = strike_bump(rock, {0, state.on.normal, state.on.facet, feature});
-  return next ? std::optional(NextState{*std::move(next)}) : std::nullopt;
+  const Feature feature = rock.is_facet(phase.on) ? Feature::facet : Feature::edge;
+  rock.remember_contact(phase.on);
+  auto next = strike_bump(rock, {0, phase.on.normal, phase.on.facet, feature});
+  return next ? std::optional(NextPhase{*std::move(next)}) : std::nullopt;
 }
 
-// ---- shared by states ----
+// ---- shared by phases ----
 
 /// Moves the rock to the end of a leg, and logs it.
 template <class Surface>

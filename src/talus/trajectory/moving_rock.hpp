@@ -1,6 +1,6 @@
 #pragma once
-// The data that all states of a rock share: the scene, the rock, its motion, its recent contacts and its log. Data of
-// one state are in that state (states.hpp). Private to trajectory/.
+// A rock in its scene: its state (rock_state.hpp), what it moves through, what it has computed once for many legs, and
+// its log. Private to trajectory/.
 
 #include <algorithm>
 #include <cmath>
@@ -13,69 +13,22 @@
 #include "talus/impact/law.hpp"
 #include "talus/sliding/bend.hpp"
 #include "talus/terrain/surface.hpp"
-#include "talus/trajectory/bumps.hpp"
 #include "talus/trajectory/kept_outlines.hpp"
 #include "talus/trajectory/piece_maxima.hpp"
 #include "talus/trajectory/rock_path.hpp"
-#include "talus/trajectory/states.hpp"
+#include "talus/trajectory/rock_state.hpp"
 
 namespace talus {
-
-/// Detects a rock that makes no progress: counts its contacts in the same place and with the same spin. (Spin counts
-/// because friction may still turn it into motion, even if a sphere stands.)
-class Progress {
- public:
-  /// `reach`: a sphere's radius; 0 for a point, whose spin does not count.
-  explicit Progress(double reach) : reach_(reach) {}
-  /// Called once per flight or stretch, for one contact, and once per leg, for its share of 0.01 s: legs with a small
-  /// timestep count for less than a contact.
-  void record(const Motion& motion, double contacts = 1) {
-    if (!is_same(motion)) {
-      place_ = motion.position;
-      spin_ = motion.spin;
-      contacts_ = 0;
-    }
-    contacts_ += contacts;
-  }
-  /// Whether contact follows contact in the same place.
-  [[nodiscard]] bool is_stuck(const Motion& motion) const {
-    return contacts_ > tolerance::contacts_to_stuck && is_same(motion);
-  }
-  /// Whether a slow rock is caught between what it touches: every contact has taken some of its energy.
-  [[nodiscard]] bool is_wedged() const { return contacts_ > tolerance::contacts_to_rest; }
-
- private:
-  [[nodiscard]] bool is_same(const Motion& motion) const {
-    return (motion.position - place_).squared_norm() <= tolerance::same_place * tolerance::same_place &&
-           (motion.spin - spin_).norm() * reach_ <= tolerance::same_spin;
-  }
-
-  double reach_;
-  Vec3 place_ = Vec3{}, spin_ = Vec3{};
-  double contacts_ = 0;
-};
-
-/// The previous contact with the ground.
-struct LastContact {
-  Vec3 position = Vec3::all(std::numeric_limits<double>::infinity());
-  Support with{Vec3{}, {}};
-};
-
-/// The present stretch along the ground: its legs up to the next event.
-struct Stretch {
-  bool has_turned = false;  // the rock stood still and slides back
-  double past_edge = 0;     // time in a valley that has an edge or a vertex on one side [s]
-};
 
 /// A sphere that rolls on a plane of this normal can move by `way` from `from`, in any direction, and touch nothing but
 /// the plane. If that is not enough, the search is repeated after it has moved by `until`.
 struct ClearWay {
-  Vec3 normal = Vec3{}, from = Vec3{};
+  Vec3 normal, from;
   double way = 0, until = 0;  // [m]
 };
 
 template <TerrainSurface Surface>
-class MovingRock {
+class MovingRock : public RockState {
  public:
   MovingRock(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& rock_log)
       : surface(scene.surface),
@@ -89,12 +42,12 @@ class MovingRock {
         leaving_speed(std::max(laws.normal_velocity_cutoff, std::sqrt(2 * laws.gravity.norm() * contact_slack))),
         has_forest(scene.ground.has_forest()),
         has_bumps(scene.laws.roughness == RoughnessLaw::faces && scene.ground.is_rough()),
-        motion(release.motion),
         max_height(reach),
-        progress(reach),
-        draws_(draws) {}
+        draws_(draws) {
+    motion = release.motion;
+  }
 
-  // ---- the rock and its motion ----
+  // ---- the scene and the rock ----
   const Surface& surface;
   const Ground& ground;
   const BarrierList barriers;
@@ -107,13 +60,9 @@ class MovingRock {
   // settings, that is a rock that would not rise above the thickness of a facet (contact_slack).
   const double leaving_speed;
   const bool has_forest, has_bumps;
-  Motion motion;
   RockOutcome outcome;
   double max_height;  // so far, of its place above the ground below it [m]
   RecentCrossings crossed;
-  LastContact last_contact;
-  Progress progress;
-  Stretch stretch;
   ClearWay clear;
 
   [[nodiscard]] bool is_sphere() const { return laws.model == RockModel::rigid_sphere; }
@@ -141,20 +90,19 @@ class MovingRock {
   }
   /// Draws the ground's properties for a new contact.
   [[nodiscard]] GroundDraw draw_at(FacetId facet) {
-    return GroundDraw(draws_, laws.material_sampling, material_at(facet), contacts_++);
+    return GroundDraw(draws_, laws.material_sampling, material_at(facet), contacts++);
   }
-  [[nodiscard]] std::uint32_t contacts() const { return contacts_; }
   /// The way along the ground to the next bump, if it stays as it is on this facet [m]; infinite on smooth ground.
   [[nodiscard]] double way_to_bump(FacetId facet) {
     if (!has_bumps) return std::numeric_limits<double>::infinity();
     const double spacing = bump_spacing(facet);
-    return std::isfinite(spacing) ? bumps_.way(draws_, spacing) : spacing;
+    return std::isfinite(spacing) ? bumps.way(draws_, spacing) : spacing;
   }
   /// The rock has moved this far along the ground of a facet [m].
   void cover(FacetId facet, double way) {
-    if (has_bumps) bumps_.cover(way, bump_spacing(facet));
+    if (has_bumps) bumps.cover(way, bump_spacing(facet));
   }
-  void pass_bump() { bumps_.pass(); }
+  void pass_bump() { bumps.pass(); }
   [[nodiscard]] double tangent_of(double friction_angle) {
     if (friction_angle != angle_) {
       angle_ = friction_angle;
@@ -223,8 +171,6 @@ class MovingRock {
   [[nodiscard]] double bump_spacing(FacetId facet) const { return ground[material_at(facet)].roughness.bump_spacing(); }
 
   const Draws& draws_;
-  Bumps bumps_;
-  std::uint32_t contacts_ = 0;      // for which the ground's properties were drawn
   double angle_ = 0, tangent_ = 0;  // the last friction angle, which often does not change
   KeptOutlines outlines_;
 };
@@ -233,29 +179,29 @@ class MovingRock {
   return exit.beneath ? EndReason::lost : exit.in_hole ? EndReason::no_data : EndReason::left_model;
 }
 
-/// `state`: one on the ground.
-template <class Surface, class State>
-[[nodiscard]] GroundSoFar ground_so_far(const MovingRock<Surface>& rock, const State& state) {
-  return {state.friction, rock.material_at(state.on.facet)};
+/// `phase`: one on the ground.
+template <class Surface, class Current>
+[[nodiscard]] GroundSoFar ground_so_far(const MovingRock<Surface>& rock, const Current& phase) {
+  return {phase.friction, rock.material_at(phase.on.facet)};
 }
 
 /// The ground falls away, or ends. The path has two rows for it: the rock arrives here and leaves in flight.
-template <class Surface, class GroundState>
-[[nodiscard]] RockState take_off(MovingRock<Surface>& rock, const GroundState& from, const SupportPlanes& left = {}) {
+template <class Surface, class GroundPhase>
+[[nodiscard]] Phase take_off(MovingRock<Surface>& rock, const GroundPhase& from, const SupportPlanes& left = {}) {
   rock.arrive(PathState::impact);
   rock.log_row(PathState::projectile);
   return Flying{left, ground_so_far(rock, from)};
 }
 
 template <class Surface>
-[[nodiscard]] RockState come_to_rest(MovingRock<Surface>& rock) {
+[[nodiscard]] Phase come_to_rest(MovingRock<Surface>& rock) {
   rock.motion.velocity = {};
   if (rock.is_sphere()) rock.motion.spin = {};  // a lumped mass keeps its spin, as in RocFall
   return Ended{EndReason::at_rest};
 }
 
 template <class Surface>
-[[nodiscard]] RockState leave_over_rim(MovingRock<Surface>& rock, const Exit& exit) {
+[[nodiscard]] Phase leave_over_rim(MovingRock<Surface>& rock, const Exit& exit) {
   rock.arrive(PathState::impact);
   rock.log_row(PathState::projectile);
   return Ended{reason_of(exit)};

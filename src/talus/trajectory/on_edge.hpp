@@ -12,41 +12,41 @@
 namespace talus {
 
 template <class Surface>
-[[nodiscard]] Footing footing_of(MovingRock<Surface>& rock, const OnEdge& state) {
-  Footing footing = Footing::on_plane(rock.laws.gravity, state.on.normal);
-  footing.normal_acceleration = std::max(0.0, normal_acceleration_on_edge(rock, state.on));
+[[nodiscard]] Footing footing_of(MovingRock<Surface>& rock, const OnEdge& phase) {
+  Footing footing = Footing::on_plane(rock.laws.gravity, phase.on.normal);
+  footing.normal_acceleration = std::max(0.0, normal_acceleration_on_edge(rock, phase.on));
   return footing;
 }
 
 template <class Surface>
-[[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const OnEdge& state, const Footing& footing) {
-  return longest_leg_on_edge(rock, state.friction, footing);
+[[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const OnEdge& phase, const Footing& footing) {
+  return longest_leg_on_edge(rock, phase.friction, footing);
 }
 
 template <class Surface>
-[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnEdge& state) {
-  return {state.on.normal, rock.rock, state.friction.sphere};
+[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnEdge& phase) {
+  return {phase.on.normal, rock.rock, phase.friction.sphere};
 }
 
-[[nodiscard]] inline GroundBeneath ground_beneath(const OnEdge& state, const Footing& footing) {
-  return {state.on.normal, {}, state.friction.sphere, footing};
+[[nodiscard]] inline GroundBeneath ground_beneath(const OnEdge& phase, const Footing& footing) {
+  return {phase.on.normal, {}, phase.friction.sphere, footing};
 }
 
-inline void set_guide(OnEdge& state, const Guide& guide) { state.side_contact = guide; }
+inline void set_guide(OnEdge& phase, const Guide& guide) { phase.side_contact = guide; }
 
-[[nodiscard]] inline const Guide* guide_of(const OnEdge& state) { return std::get_if<Guide>(&state.side_contact); }
+[[nodiscard]] inline const Guide* guide_of(const OnEdge& phase) { return std::get_if<Guide>(&phase.side_contact); }
 
 template <class Surface>
-[[nodiscard]] SupportPlanes carrying(MovingRock<Surface>& rock, const OnEdge& state) {
+[[nodiscard]] SupportPlanes carrying(MovingRock<Surface>& rock, const OnEdge& phase) {
   SupportPlanes on;
-  if (const Vec3* const side_contact = normal_of(state.side_contact)) on = {state.on.normal, *side_contact};
-  on.turn_about(rock.motion.position - rock.reach * state.on.normal, edge_under(rock, state.on));
+  if (const Vec3* const side_contact = normal_of(phase.side_contact)) on = {phase.on.normal, *side_contact};
+  on.turn_about(rock.motion.position - rock.reach * phase.on.normal, edge_under(rock, phase.on));
   return on;
 }
 
 template <class Surface>
-void apply_side_contact(const MovingRock<Surface>& rock, OnEdge& state, Leg& leg, double& t) {
-  apply_side_contact(rock, state.on, state.side_contact, leg, t);
+void apply_side_contact(const MovingRock<Surface>& rock, OnEdge& phase, Leg& leg, double& t) {
+  apply_side_contact(rock, phase.on, phase.side_contact, leg, t);
 }
 
 /// It is already at the end of a facet.
@@ -61,9 +61,9 @@ enum class OverEdge { on_facet, on_edge, in_air };
 
 /// Lowers the sphere onto the nearest ground, at constant energy.
 template <class Surface>
-[[nodiscard]] OverEdge settle_over_edge(MovingRock<Surface>& rock, OnEdge& state) {
+[[nodiscard]] OverEdge settle_over_edge(MovingRock<Surface>& rock, OnEdge& phase) {
   Motion& motion = rock.motion;
-  Support& on = state.on;
+  Support& on = phase.on;
   // At equal distance, but for rounding, its own facet has priority.
   struct Nearest {
     double distance = std::numeric_limits<double>::infinity();
@@ -109,31 +109,31 @@ template <class Surface>
     on.normal = outline.normal;
     motion.velocity = tangential(motion.velocity, on.normal);
   }
-  if (is_other_ground) state.friction = friction_at(rock, on.facet);
+  if (is_other_ground) phase.friction = friction_at(rock, on.facet);
   if (is_on_facet) return OverEdge::on_facet;
   return normal_acceleration_on_edge(rock, on) >= 0 ? OverEdge::on_edge : OverEdge::in_air;
 }
 
 template <class Surface>
-[[nodiscard]] std::optional<NextState> finish_leg(MovingRock<Surface>& rock, OnEdge& state, Leg leg,
+[[nodiscard]] std::optional<NextPhase> finish_leg(MovingRock<Surface>& rock, OnEdge& phase, Leg leg,
                                                   const LegEnd& end) {
   const double t = end.t;
   if (end.rim || end.ahead) {
-    move_to_end(rock, state.on.facet, leg, end);
-    if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
-    rock.remember_contact(state.on);
-    return NextState{strike(rock, *end.ahead, ground_so_far(rock, state))};
+    move_to_end(rock, phase.on.facet, leg, end);
+    if (end.rim) return NextPhase{leave_over_rim(rock, *end.rim)};
+    rock.remember_contact(phase.on);
+    return NextPhase{strike(rock, *end.ahead, ground_so_far(rock, phase))};
   }
   const Motion before = rock.motion;
   move_along(rock, leg, t, Vec3{});
-  const OverEdge place = settle_over_edge(rock, state);
+  const OverEdge place = settle_over_edge(rock, phase);
   // The logged path is bent so that it ends where the sphere is.
   if (t > 0) leg.path.a = 2 / (t * t) * (rock.motion.position - leg.path.p - t * leg.path.v);
-  rock.log_leg(state.on.facet, leg.path, t, before, rock.motion);
+  rock.log_leg(phase.on.facet, leg.path, t, before, rock.motion);
   rock.update_max_energy();
-  if (place == OverEdge::in_air) return NextState{take_off(rock, state)};
+  if (place == OverEdge::in_air) return NextPhase{take_off(rock, phase)};
   if (place == OverEdge::on_edge) return std::nullopt;
-  const OnFacet facet{state.on, state.friction, {}};
+  const OnFacet facet{phase.on, phase.friction, {}};
   remove_drift(rock, facet);
   return within_stretch(facet);
 }

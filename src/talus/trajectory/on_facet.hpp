@@ -8,8 +8,8 @@
 namespace talus {
 
 template <class Surface>
-[[nodiscard]] Footing footing_of(const MovingRock<Surface>& rock, const OnFacet& state) {
-  return Footing::on_plane(rock.laws.gravity, state.on.normal);
+[[nodiscard]] Footing footing_of(const MovingRock<Surface>& rock, const OnFacet& phase) {
+  return Footing::on_plane(rock.laws.gravity, phase.on.normal);
 }
 
 /// The duration [s] of a leg on one facet or between two.
@@ -23,41 +23,41 @@ template <class Surface>
 }
 
 template <class Surface>
-[[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const OnFacet& state, const Footing& footing) {
-  return longest_leg_on_planes(rock, state.friction, footing);
+[[nodiscard]] double longest_leg(const MovingRock<Surface>& rock, const OnFacet& phase, const Footing& footing) {
+  return longest_leg_on_planes(rock, phase.friction, footing);
 }
 
 template <class Surface>
-[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnFacet& state) {
-  return {state.on.normal, rock.rock, state.friction.sphere};
+[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnFacet& phase) {
+  return {phase.on.normal, rock.rock, phase.friction.sphere};
 }
 
-[[nodiscard]] inline GroundBeneath ground_beneath(const OnFacet& state, const Footing& footing) {
-  return {state.on.normal, {}, state.friction.sphere, footing};
+[[nodiscard]] inline GroundBeneath ground_beneath(const OnFacet& phase, const Footing& footing) {
+  return {phase.on.normal, {}, phase.friction.sphere, footing};
 }
 
-inline void set_guide(OnFacet& state, const Guide& guide) { state.side_contact = guide; }
+inline void set_guide(OnFacet& phase, const Guide& guide) { phase.side_contact = guide; }
 
-[[nodiscard]] inline const Guide* guide_of(const OnFacet& state) { return std::get_if<Guide>(&state.side_contact); }
+[[nodiscard]] inline const Guide* guide_of(const OnFacet& phase) { return std::get_if<Guide>(&phase.side_contact); }
 
 template <class Surface>
-[[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const OnFacet& state) {
-  const Vec3* const side_contact = normal_of(state.side_contact);
-  return side_contact ? SupportPlanes{state.on.normal, *side_contact} : SupportPlanes(state.on.normal);
+[[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const OnFacet& phase) {
+  const Vec3* const side_contact = normal_of(phase.side_contact);
+  return side_contact ? SupportPlanes{phase.on.normal, *side_contact} : SupportPlanes(phase.on.normal);
 }
 
 template <class Surface>
-void apply_side_contact(const MovingRock<Surface>& rock, OnFacet& state, Leg& leg, double& t) {
-  apply_side_contact(rock, state.on, state.side_contact, leg, t);
+void apply_side_contact(const MovingRock<Surface>& rock, OnFacet& phase, Leg& leg, double& t) {
+  apply_side_contact(rock, phase.on, phase.side_contact, leg, t);
 }
 
-/// Within one plane and one material the state moves on from facet to facet, as if there were no edges between them.
+/// Within one plane and one material the phase moves on from facet to facet, as if there were no edges between them.
 template <class Surface>
-[[nodiscard]] std::optional<OutlineEdge> outline_ahead(MovingRock<Surface>& rock, OnFacet& state, const Parabola& leg,
+[[nodiscard]] std::optional<OutlineEdge> outline_ahead(MovingRock<Surface>& rock, OnFacet& phase, const Parabola& leg,
                                                        double& t) {
   constexpr int most_facets_per_leg =
       1000;  // then the leg ends a little further on, as for a rock that circles a vertex
-  Support& on = state.on;
+  Support& on = phase.on;
   const Vec3 plane = on.normal;
   double t_edge = 0;
   for (int facets = 0; facets < most_facets_per_leg; ++facets) {
@@ -102,24 +102,24 @@ template <class Surface>
 }
 
 template <class Surface>
-[[nodiscard]] std::optional<Contact> ground_ahead(MovingRock<Surface>& rock, const OnFacet& state, const Parabola& leg,
+[[nodiscard]] std::optional<Contact> ground_ahead(MovingRock<Surface>& rock, const OnFacet& phase, const Parabola& leg,
                                                   double t, const SupportPlanes& on) {
   const double way = leg.v.norm() * t + 0.5 * leg.a.norm() * t * t;
-  if (on.count == 1 && has_clear_way(rock, state.on, leg.p, way)) return std::nullopt;
+  if (on.count == 1 && has_clear_way(rock, phase.on, leg.p, way)) return std::nullopt;
   return rock.surface.first_contact_on_leg(leg, rock.reach, t, on);
 }
 
 /// Puts the rock back on the plane of its facet, so that rounding does not add up from leg to leg.
 template <class Surface>
-void remove_drift(MovingRock<Surface>& rock, const OnFacet& state) {
-  const Vec3& n = state.on.normal;
-  correct_position(rock, -gap_to_plane(rock, n, rock.outline_of(state.on.facet).point) * n);
+void remove_drift(MovingRock<Surface>& rock, const OnFacet& phase) {
+  const Vec3& n = phase.on.normal;
+  correct_position(rock, -gap_to_plane(rock, n, rock.outline_of(phase.on.facet).point) * n);
 }
 
 /// The facet that the rock takes off from. (An edge has none: its normal is not that of a plane.)
-[[nodiscard]] inline SupportPlanes planes_left(const OnFacet& state) {
+[[nodiscard]] inline SupportPlanes planes_left(const OnFacet& phase) {
   SupportPlanes left;
-  left.add(state.on.normal, state.on.facet);
+  left.add(phase.on.normal, phase.on.facet);
   return left;
 }
 
@@ -127,27 +127,27 @@ void remove_drift(MovingRock<Surface>& rock, const OnFacet& state) {
 template <class Surface>
 [[nodiscard]] OnFacet continue_over(MovingRock<Surface>& rock, const Support& from, const GroundFriction& friction,
                                     const Support& next) {
-  OnFacet state{next, friction, {}};
-  if (rock.reach > 0) state.side_contact = LeftFacet{from.normal};
-  if (rock.material_at(from.facet) != rock.material_at(next.facet)) state.friction = friction_at(rock, next.facet);
+  OnFacet phase{next, friction, {}};
+  if (rock.reach > 0) phase.side_contact = LeftFacet{from.normal};
+  if (rock.material_at(from.facet) != rock.material_at(next.facet)) phase.friction = friction_at(rock, next.facet);
   if (rock.is_level(next.normal)) {
     rock.motion.velocity = tangential(rock.motion.velocity, next.normal);
   } else {
-    rock.round_bend(next.normal, state.friction);
+    rock.round_bend(next.normal, phase.friction);
     rock.log_row(rock.state_on(next.normal));
   }
-  return state;
+  return phase;
 }
 
 /// The valley between the rock's facet and the one that it has reached, if gravity holds it there.
 template <class Surface>
-[[nodiscard]] std::optional<InValley> enter_valley(MovingRock<Surface>& rock, const OnFacet& state,
+[[nodiscard]] std::optional<InValley> enter_valley(MovingRock<Surface>& rock, const OnFacet& phase,
                                                    const Support& next) {
   const auto caught =
-      caught_between(rock.laws.gravity, state.on.normal, next.normal, rock.motion.velocity, rock.leaving_speed);
+      caught_between(rock.laws.gravity, phase.on.normal, next.normal, rock.motion.velocity, rock.leaving_speed);
   if (!caught) return std::nullopt;
-  InValley valley{next, true, state.friction, state.on, *caught};
-  if (rock.material_at(next.facet) != rock.material_at(state.on.facet)) valley.friction = friction_in(rock, valley);
+  InValley valley{next, true, phase.friction, phase.on, *caught};
+  if (rock.material_at(next.facet) != rock.material_at(phase.on.facet)) valley.friction = friction_in(rock, valley);
   keep_along_valley(rock, valley);
   return valley;
 }
@@ -163,9 +163,9 @@ template <class Surface>
   return rock.exit_from(motion.position - tolerance::look_ahead * edge.inward, motion.velocity);
 }
 
-/// The state of a rock that has reached the end of its plane.
+/// The phase of a rock that has reached the end of its plane.
 template <class Surface>
-[[nodiscard]] RockState leave_facet(MovingRock<Surface>& rock, const OnFacet& state, const OutlineEdge& edge) {
+[[nodiscard]] Phase leave_facet(MovingRock<Surface>& rock, const OnFacet& phase, const OutlineEdge& edge) {
   if (const auto exit = exit_at(rock, edge)) return leave_over_rim(rock, *exit);
   if (edge.beyond) {
     const Support next{rock.outline_of(*edge.beyond).normal, *edge.beyond};
@@ -173,41 +173,41 @@ template <class Surface>
     if (rock.is_level(next.normal) || rock.grazes(next.normal)) {
       // The bottom of a valley, reached along it or over a crease too flat for an impact.
       if (rises) {
-        if (const auto valley = enter_valley(rock, state, next)) return *valley;
+        if (const auto valley = enter_valley(rock, phase, next)) return *valley;
       }
-      return continue_over(rock, state.on, state.friction, next);
+      return continue_over(rock, phase.on, phase.friction, next);
     }
     if (rock.motion.velocity.dot(next.normal) < 0) {
       // A lumped mass slides into rising ground. A sphere touches such ground before it gets here, unless the bend is
       // tiny.
-      rock.remember_contact(state.on);
+      rock.remember_contact(phase.on);
       return strike(rock, {0, next.normal, next.facet, Feature::facet});
     }
     if (rises && rock.reach == 0) {
       // At the foot of a wall, and not into it: gravity holds the rock there, or it slides on from it.
-      if (const auto valley = enter_valley(rock, state, next)) return *valley;
-      return OnFacet{state.on, state.friction, {}};
+      if (const auto valley = enter_valley(rock, phase, next)) return *valley;
+      return OnFacet{phase.on, phase.friction, {}};
     }
   }
-  if (rock.reach > 0 && normal_acceleration_on_edge(rock, state.on) > 0) {
-    return OnEdge{state.on, state.friction, {}};  // too slow to take off, it turns about the edge
+  if (rock.reach > 0 && normal_acceleration_on_edge(rock, phase.on) > 0) {
+    return OnEdge{phase.on, phase.friction, {}};  // too slow to take off, it turns about the edge
   }
-  return take_off(rock, state, planes_left(state));
+  return take_off(rock, phase, planes_left(phase));
 }
 
 template <class Surface>
-[[nodiscard]] std::optional<NextState> finish_leg(MovingRock<Surface>& rock, OnFacet& state, const Leg& leg,
+[[nodiscard]] std::optional<NextPhase> finish_leg(MovingRock<Surface>& rock, OnFacet& phase, const Leg& leg,
                                                   const LegEnd& end) {
-  move_to_end(rock, state.on.facet, leg, end);
-  if (end.rim) return NextState{leave_over_rim(rock, *end.rim)};
-  remove_drift(rock, state);
+  move_to_end(rock, phase.on.facet, leg, end);
+  if (end.rim) return NextPhase{leave_over_rim(rock, *end.rim)};
+  remove_drift(rock, phase);
   if (end.ahead) {
-    rock.remember_contact(state.on);
-    return NextState{strike(rock, *end.ahead, ground_so_far(rock, state))};
+    rock.remember_contact(phase.on);
+    return NextPhase{strike(rock, *end.ahead, ground_so_far(rock, phase))};
   }
   if (end.edge) {
     rock.update_max_energy();
-    return NextState{leave_facet(rock, state, *end.edge)};
+    return NextPhase{leave_facet(rock, phase, *end.edge)};
   }
   return std::nullopt;
 }

@@ -21,15 +21,22 @@ class RockRun {
  public:
   RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& log)
       : rock_(scene, release, draws, log), has_room_(release.has_room) {}
+  /// Goes on from a state of the same rock, on its own or, to try another future, in a changed scene.
+  RockRun(const Scene<Surface>& scene, const Rock& rock, const RockState& from, const Draws& draws, RockLog& log)
+      : rock_(scene, {from.motion, rock}, draws, log), has_room_(true), is_released_(true) {
+    static_cast<RockState&>(rock_) = from;
+  }
 
   /// Why advance() returned.
   enum class Pause {
     gliding,  // along a facet: the caller takes the steps of glide(), then calls advance() again
     ended,
-    stopped  // by `stop`, without an end: the run must not be resumed
+    stopped  // by `stop`, without an end; another run may go on from state()
   };
   /// Follows the rock until it glides or ends, or until a stop is requested (null: never).
   Pause advance(const StopScope* stop = nullptr);
+  /// Between flights and legs.
+  [[nodiscard]] const RockState& state() const { return rock_; }
   /// The glide of a rock that pauses in one.
   [[nodiscard]] Glide& glide() { return glide_->glide; }
   /// Takes one step of the glide; false if the glide has ended.
@@ -50,20 +57,17 @@ class RockRun {
   void release();
   void proceed();
   void end();
-  void enter(RockState state);
+  void enter(Phase phase);
   void count_short_leg(double start);
   bool begin_glide();
-  [[nodiscard]] bool has_ended() const { return std::holds_alternative<Ended>(state_); }
+  [[nodiscard]] bool has_ended() const { return std::holds_alternative<Ended>(rock_.phase); }
 
   MovingRock<Surface> rock_;
-  RockState state_ = Flying{};
   std::optional<GlideOnFacet> glide_;  // while the run pauses in one
-  std::int64_t steps_ = 0;             // flights and stretches so far, and one for every hundred short legs
-  std::int64_t short_legs_ = 0;        // so far
   bool has_room_, is_released_ = false;
 };
 
-/// The life of a rock: from one state to the next until it ends.
+/// The life of a rock: from one phase to the next until it ends.
 template <TerrainSurface Surface>
 auto RockRun<Surface>::advance(const StopScope* stop) -> Pause {
   constexpr unsigned stop_interval = 64;  // flights and legs between two looks at `stop`: well below a millisecond
@@ -83,26 +87,26 @@ auto RockRun<Surface>::advance(const StopScope* stop) -> Pause {
   return Pause::ended;
 }
 
-/// One flight, or one leg along the ground, and the state after it. A state that is not handled here does not compile.
+/// One flight, or one leg along the ground, and the phase after it. A phase that is not handled here does not compile.
 template <TerrainSurface Surface>
 void RockRun<Surface>::proceed() {
   struct Transition {
     MovingRock<Surface>& rock;
-    std::optional<NextState> operator()(const Flying& state) const {
-      return NextState{rock.has_forest ? fly_with_forests(rock, state) : fly(rock, state)};
+    std::optional<NextPhase> operator()(const Flying& phase) const {
+      return NextPhase{rock.has_forest ? fly_with_forests(rock, phase) : fly(rock, phase)};
     }
-    std::optional<NextState> operator()(OnFacet& state) const { return take_leg(rock, state); }
-    std::optional<NextState> operator()(OnEdge& state) const { return take_leg(rock, state); }
-    std::optional<NextState> operator()(InValley& state) const { return take_leg(rock, state); }
-    std::optional<NextState> operator()(const Ended&) const { return std::nullopt; }
+    std::optional<NextPhase> operator()(OnFacet& phase) const { return take_leg(rock, phase); }
+    std::optional<NextPhase> operator()(OnEdge& phase) const { return take_leg(rock, phase); }
+    std::optional<NextPhase> operator()(InValley& phase) const { return take_leg(rock, phase); }
+    std::optional<NextPhase> operator()(const Ended&) const { return std::nullopt; }
   };
-  if (auto* valley = std::get_if<InValley>(&state_); valley != nullptr && !is_held(rock_, *valley)) {
-    state_ = leave_other_side(rock_, *valley);
+  if (auto* valley = std::get_if<InValley>(&rock_.phase); valley != nullptr && !is_held(rock_, *valley)) {
+    rock_.phase = leave_other_side(rock_, *valley);
   }
   const double start = rock_.motion.time;
-  std::optional<NextState> next = std::visit(Transition{rock_}, state_);
-  if (next && !next->is_same_stretch) return enter(std::move(next->state));
-  if (next) state_ = std::move(next->state);
+  std::optional<NextPhase> next = std::visit(Transition{rock_}, rock_.phase);
+  if (next && !next->is_same_stretch) return enter(std::move(next->phase));
+  if (next) rock_.phase = std::move(next->phase);
   count_short_leg(start);
 }
 
@@ -112,20 +116,20 @@ void RockRun<Surface>::release() {
   rock_.outcome.start = rock_.motion;
   rock_.outcome.max_kinetic_energy = rock_.kinetic_energy();
   rock_.log_row(PathState::projectile);
-  enter(has_room_ ? RockState(Flying{}) : Ended{EndReason::at_rest});
+  enter(has_room_ ? Phase(Flying{}) : Ended{EndReason::at_rest});
 }
 
 /// A flight or a stretch along the ground begins, which counts as a step: the limit of steps, and rocks that do not
 /// move on, are checked here.
 template <TerrainSurface Surface>
-void RockRun<Surface>::enter(RockState state) {
-  state_ = std::move(state);
+void RockRun<Surface>::enter(Phase phase) {
+  rock_.phase = std::move(phase);
   rock_.stretch = {};
   if (has_ended()) return;
-  if (steps_++ >= rock_.laws.max_steps) {
-    state_ = Ended{EndReason::maximum_steps};
-  } else if (rock_.progress.record(rock_.motion); rock_.is_wedged()) {
-    state_ = come_to_rest(rock_);
+  if (rock_.steps++ >= rock_.laws.max_steps) {
+    rock_.phase = Ended{EndReason::maximum_steps};
+  } else if (rock_.progress.record(rock_.motion, rock_.reach); rock_.is_wedged()) {
+    rock_.phase = come_to_rest(rock_);
   }
 }
 
@@ -134,15 +138,15 @@ void RockRun<Surface>::enter(RockState state) {
 template <TerrainSurface Surface>
 void RockRun<Surface>::count_short_leg(double start) {
   constexpr std::int64_t legs_per_step = 100;
-  if (rock_.motion.time - start < 0.5 * rock_.laws.timestep && ++short_legs_ % legs_per_step == 0 &&
-      steps_++ >= rock_.laws.max_steps) {
-    state_ = Ended{EndReason::maximum_steps};
+  if (rock_.motion.time - start < 0.5 * rock_.laws.timestep && ++rock_.short_legs % legs_per_step == 0 &&
+      rock_.steps++ >= rock_.laws.max_steps) {
+    rock_.phase = Ended{EndReason::maximum_steps};
   }
 }
 
 template <TerrainSurface Surface>
 void RockRun<Surface>::end() {
-  rock_.outcome.reason = std::get<Ended>(state_).reason;
+  rock_.outcome.reason = std::get<Ended>(rock_.phase).reason;
   rock_.update_max_energy();
   rock_.outcome.max_bounce = lowest_point(rock_.max_height, rock_.reach);
   rock_.outcome.end = rock_.motion;
@@ -155,7 +159,7 @@ void RockRun<Surface>::end() {
 
 template <TerrainSurface Surface>
 bool RockRun<Surface>::begin_glide() {
-  const auto* facet = std::get_if<OnFacet>(&state_);
+  const auto* facet = std::get_if<OnFacet>(&rock_.phase);
   if (facet == nullptr) return false;
   glide_ = prepare_glide(rock_, *facet);
   return glide_.has_value();

@@ -52,11 +52,10 @@ template <class Surface>
   return is_open;
 }
 
-/// The state of a rock that stays on the ground after an impact: on a facet or an edge or, if it goes back and forth
+/// The phase of a rock that stays on the ground after an impact: on a facet or an edge or, if it goes back and forth
 /// between two supports, in the valley between them.
 template <class Surface>
-[[nodiscard]] RockState stay_on_ground(MovingRock<Surface>& rock, const Contact& contact,
-                                       const GroundFriction& friction) {
+[[nodiscard]] Phase stay_on_ground(MovingRock<Surface>& rock, const Contact& contact, const GroundFriction& friction) {
   const Support on{contact.normal, contact.facet};
   const bool is_on_facet = contact.feature == Feature::facet;
   const LastContact before = rock.last_contact;
@@ -70,7 +69,7 @@ template <class Surface>
         caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);
     if (caught && has_open_bottom(rock, on, before)) {
       valley = InValley{on, is_on_facet, friction, before.with, *caught};
-    } else if (rock.progress.is_stuck(rock.motion)) {
+    } else if (rock.progress.is_stuck(rock.motion, rock.reach)) {
       // Friction or a third contact drives it from one to the other, not gravity. It moves along both.
       side_contact = Guide{before.with.normal};
     }
@@ -106,7 +105,7 @@ template <class Surface>
 
 /// The rock moves on along ground that it grazes.
 template <class Surface>
-[[nodiscard]] RockState move_on(MovingRock<Surface>& rock, const Contact& contact, GroundSoFar ground) {
+[[nodiscard]] Phase move_on(MovingRock<Surface>& rock, const Contact& contact, GroundSoFar ground) {
   if (rock.material_at(contact.facet) != ground.material) {
     ground = {friction_at(rock, contact.facet), rock.material_at(contact.facet)};
   }
@@ -117,10 +116,10 @@ template <class Surface>
   return Flying{{}, ground};
 }
 
-/// The impact on a face of normal `n` of the ground that the rock touches, and its state afterwards.
+/// The impact on a face of normal `n` of the ground that the rock touches, and its phase afterwards.
 template <class Surface>
-[[nodiscard]] RockState rebound_from(MovingRock<Surface>& rock, const Contact& contact, const Vec3& n,
-                                     const Material& material, const GroundDraw& draw) {
+[[nodiscard]] Phase rebound_from(MovingRock<Surface>& rock, const Contact& contact, const Vec3& n,
+                                 const Material& material, const GroundDraw& draw) {
   Motion& motion = rock.motion;
   rock.log.impact_place(motion.position);
   rock.log_impact(contact, n);
@@ -152,12 +151,12 @@ template <class Surface>
 
 /// The rock meets ground: an impact, unless it moved along the ground before, and grazes this.
 template <class Surface>
-[[nodiscard]] RockState strike(MovingRock<Surface>& rock, const Contact& contact,
-                               const std::optional<GroundSoFar>& before = {}) {
+[[nodiscard]] Phase strike(MovingRock<Surface>& rock, const Contact& contact,
+                           const std::optional<GroundSoFar>& before = {}) {
   rock.arrive(PathState::impact);
   if (before && rock.grazes(contact.normal)) return move_on(rock, contact, *before);
   const Material& material = rock.ground[rock.material_at(contact.facet)];
-  const std::uint32_t number = rock.contacts();
+  const std::uint32_t number = rock.contacts;
   const GroundDraw draw = rock.draw_at(contact.facet);
   const Vec3 n = struck_face(rock, contact.normal, material, draw, number).value_or(contact.normal);
   return rebound_from(rock, contact, n, material, draw);
@@ -166,10 +165,10 @@ template <class Surface>
 /// The rock comes to a bump of the ground that it moves along: an impact on a face that rises against it. nullopt if it
 /// strikes none.
 template <class Surface>
-[[nodiscard]] std::optional<RockState> strike_bump(MovingRock<Surface>& rock, const Contact& contact) {
+[[nodiscard]] std::optional<Phase> strike_bump(MovingRock<Surface>& rock, const Contact& contact) {
   rock.pass_bump();
   const Material& material = rock.ground[rock.material_at(contact.facet)];
-  const std::uint32_t number = rock.contacts();
+  const std::uint32_t number = rock.contacts;
   const GroundDraw draw = rock.draw_at(contact.facet);
   const auto n = struck_face(rock, contact.normal, material, draw, number);
   if (!n) return std::nullopt;

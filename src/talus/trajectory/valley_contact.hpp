@@ -15,28 +15,28 @@ struct RollingPlane {
 /// In a valley a sphere rolls on both sides at once: as on a plane whose normal is the middle of both normals, with the
 /// distance of the contacts from the axis as its radius.
 template <class Surface>
-[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const InValley& state) {
-  const Vec3 middle = (state.on.normal + state.other.normal).normalized();
-  const double share = middle.dot(state.on.normal);
+[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const InValley& phase) {
+  const Vec3 middle = (phase.on.normal + phase.other.normal).normalized();
+  const double share = middle.dot(phase.on.normal);
   Rock narrower = rock.rock;
   narrower.radius *= share;
-  return {middle, narrower, {state.friction.sphere.dynamic, state.friction.sphere.rolling / share}};
+  return {middle, narrower, {phase.friction.sphere.dynamic, phase.friction.sphere.rolling / share}};
 }
 
 /// The part of a sphere's spin that a valley leaves it: about the axis across the valley.
 template <class Surface>
-[[nodiscard]] Vec3 spin_in_valley(const MovingRock<Surface>& rock, const InValley& state, const Vec3& spin) {
-  const Vec3 axis = rolling_plane(rock, state).normal.cross(state.valley.direction);
+[[nodiscard]] Vec3 spin_in_valley(const MovingRock<Surface>& rock, const InValley& phase, const Vec3& spin) {
+  const Vec3 axis = rolling_plane(rock, phase).normal.cross(phase.valley.direction);
   return spin.dot(axis) * axis;
 }
 
 /// Keeps the velocity along the valley, and of a sphere's spin what the valley leaves. Slip between the two is left to
 /// friction.
 template <class Surface>
-void keep_along_valley(MovingRock<Surface>& rock, const InValley& state) {
+void keep_along_valley(MovingRock<Surface>& rock, const InValley& phase) {
   Motion& motion = rock.motion;
-  motion.velocity = motion.velocity.dot(state.valley.direction) * state.valley.direction;
-  if (rock.is_sphere()) motion.spin = spin_in_valley(rock, state, motion.spin);
+  motion.velocity = motion.velocity.dot(phase.valley.direction) * phase.valley.direction;
+  if (rock.is_sphere()) motion.spin = spin_in_valley(rock, phase, motion.spin);
 }
 
 }  // namespace talus

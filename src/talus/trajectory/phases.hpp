@@ -1,6 +1,6 @@
 #pragma once
-// The states of a rock's life. Each is a type with the data of that state alone; what all states share - position,
-// velocity, spin - is in MovingRock. The transition out of a state is in the file of that state.
+// The phases of a rock's life. Each is a type with the data of that phase alone; what all phases share - position,
+// velocity, spin - is in MovingRock. The transition out of a phase is in the file of that phase.
 
 #include <optional>
 #include <variant>
@@ -79,13 +79,13 @@ struct Ended {
   EndReason reason;
 };
 
-using RockState = std::variant<Flying, OnFacet, OnEdge, InValley, Ended>;
+using Phase = std::variant<Flying, OnFacet, OnEdge, InValley, Ended>;
 
-/// The state after a leg along the ground, if it has changed.
-struct NextState {
-  RockState state;
+/// The phase after a leg along the ground, if it has changed.
+struct NextPhase {
+  Phase phase;
   bool is_same_stretch = false;  // if false, a flight or a new stretch along the ground begins, which counts as a step
 };
-[[nodiscard]] inline NextState within_stretch(RockState state) { return {std::move(state), true}; }
+[[nodiscard]] inline NextPhase within_stretch(Phase phase) { return {std::move(phase), true}; }
 
 }  // namespace talus
