@@ -74,7 +74,7 @@ class Kinds : public ::testing::Test {
 
   static int replicas() {
     const char* effort = std::getenv("TALUS_TEST_EFFORT");
-    return effort == nullptr ? 40 : static_cast<int>(40 * std::clamp(std::atof(effort), 1.0, 5.0));
+    return effort == nullptr ? 20 : static_cast<int>(20 * std::clamp(std::atof(effort), 1.0, 10.0));
   }
 
   static study::PreparedSite site_with(std::uint64_t seed, const std::string& project) {
@@ -154,7 +154,7 @@ class Kinds : public ::testing::Test {
     }
     if (is_matched) {
       group.releases.names = {"A", "B", "C", "D"};
-      group.releases.origins.assign(4, Vec2::Zero());
+      group.releases.origins.assign(4, Vec2{});
     }
     group.sample.rows = Eigen::Map<Eigen::VectorXd>(runouts.data(), static_cast<Eigen::Index>(runouts.size()));
     return group;
@@ -173,7 +173,7 @@ TEST_F(Kinds, ManyReleasesOfOneObservedRockAreCalibrated) {
       group.sample.strata.push_back(end.seeder.index);
     }
     for (std::uint64_t k = 0; k < releases; ++k) group.releases.names.push_back("R" + std::to_string(k));
-    group.releases.origins.assign(releases, Vec2::Zero());
+    group.releases.origins.assign(releases, Vec2{});
     group.sample.rows = Eigen::Map<Eigen::VectorXd>(runouts.data(), static_cast<Eigen::Index>(runouts.size()));
     return group;
   };
