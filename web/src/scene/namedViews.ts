@@ -3,6 +3,7 @@
 import { Box3, Vector3 } from 'three';
 import { bestBox, heightOf, widthOf, type Box, type Placed } from '../view/framing';
 import type { Pixel } from '../view/nearness';
+import { outermost } from '../view/outermost';
 import type { Stage } from './stage';
 
 export const namedViews = {
@@ -61,20 +62,20 @@ interface Aim extends Placed {
   middle: Pixel;
 }
 
-/// The camera position from which the points fill a box of the picture. `tan` is the tangent of half the vertical field
-/// of view.
-function aimFor(seen: readonly { toward: number; x: number; y: number }[], box: Box, height: number, tan: number): Aim {
+/// The camera position from which the points (x to the right, y up, z towards the camera) fill a box of the picture.
+/// `tan` is the tangent of half the vertical field of view.
+function aimFor(seen: readonly Vector3[], box: Box, height: number, tan: number): Aim {
   const fill = 0.97;
   const [tanX, tanY] = [(fill * tan * widthOf(box)) / height, (fill * tan * heightOf(box)) / height];
   let [right, up, distance] = [0, 0, 0.1];
   const depth = (toward: number) => Math.max(1e-3 * distance, distance - toward);
   for (let turn = 0; turn < 4; ++turn) {
     distance = 0.1;
-    for (const { toward, x, y } of seen)
+    for (const { x, y, z: toward } of seen)
       distance = Math.max(distance, toward + Math.max(Math.abs(x - right) / tanX, Math.abs(y - up) / tanY));
     // Nearer points look larger, so the centre of the picture is not that of the ground.
     let [l, r, b, t] = [Infinity, -Infinity, Infinity, -Infinity];
-    for (const { toward, x, y } of seen) {
+    for (const { x, y, z: toward } of seen) {
       const [across, high] = [(x - right) / depth(toward), (y - up) / depth(toward)];
       [l, r, b, t] = [Math.min(l, across), Math.max(r, across), Math.min(b, high), Math.max(t, high)];
     }
@@ -83,11 +84,11 @@ function aimFor(seen: readonly { toward: number; x: number; y: number }[], box: 
   }
   const middle: Pixel = [(box.left + box.right) / 2, (box.top + box.bottom) / 2];
   const pixels = height / (2 * tan);
-  const points = seen.map(({ toward, x, y }): Pixel => [
-    middle[0] + ((x - right) / depth(toward)) * pixels,
-    middle[1] - ((y - up) / depth(toward)) * pixels,
-  ]);
-  return { size: 1 / distance, points, distance, right, up, middle };
+  function* points(): Iterator<Pixel> {
+    for (const { x, y, z: toward } of seen)
+      yield [middle[0] + ((x - right) / depth(toward)) * pixels, middle[1] - ((y - up) / depth(toward)) * pixels];
+  }
+  return { size: 1 / distance, points: { [Symbol.iterator]: points }, distance, right, up, middle };
 }
 
 /// Moves the camera so that a subject fills the free part of the picture, outside the boxes `over`. `places` are points
@@ -117,11 +118,14 @@ export function look(
   const centre = box.getCenter(new Vector3()).multiply(stretch);
   const seen = places.map((place) => {
     const of = place.sub(centre);
-    return { toward: of.dot(from), x: of.dot(right), y: of.dot(up) };
+    return new Vector3(of.dot(right), of.dot(up), of.dot(from));
   });
+  const outer = outermost(seen);
   const { width, height } = stage.size;
   const tan = Math.tan((camera.fov * Math.PI) / 360);
-  const best = bestBox({ left: 0, top: 0, right: width, bottom: height }, over, (part) => aimFor(seen, part, height, tan));
+  const picture = { left: 0, top: 0, right: width, bottom: height };
+  const aimed = (points: readonly Vector3[]) => (part: Box) => aimFor(points, part, height, tan);
+  const best = bestBox(picture, over, aimed(seen), (part) => aimed(outer)(part).size);
   if (!best) return;
   stage.aimAt(best.middle);
   controls.target.copy(centre).addScaledVector(right, best.right).addScaledVector(up, best.up);

@@ -36,22 +36,28 @@ const sideCost = 0.35; // the share of its size that content may lose to be in t
 
 /// Places the content in the box within the room in which it is largest, with a preference for the centre, and in which
 /// none of its points is covered by `over`. A covered corner is allowed if the content leaves it free. `place` places the
-/// content in a box.
-export function bestBox<T extends Placed>(room: Box, over: readonly Box[], place: (box: Box) => T): T | null {
-  const found = boxesIn(room, over)
+/// content in a box; `sizeIn` is its size there, for the many boxes among which one is chosen.
+export function bestBox<T extends Placed>(
+  room: Box,
+  over: readonly Box[],
+  place: (box: Box) => T,
+  sizeIn = (box: Box) => place(box).size,
+): T | null {
+  const boxes = boxesIn(room, over)
     .filter((box) => widthOf(box) >= 20 && heightOf(box) >= 20)
     .map((box) => {
       const aside = Math.abs(middle(box) - middle(room)) / (0.5 * widthOf(room));
-      const placed = place(box);
-      return { box, placed, worth: placed.size * (1 - sideCost * aside) };
+      return { box, worth: sizeIn(box) * (1 - sideCost * aside) };
     })
-    .sort((a, b) => b.worth - a.worth);
+    .sort((a, b) => b.worth - a.worth)
+    .map(({ box }) => box);
   const isFree = ({ points }: Placed) => {
     for (const point of points) if (over.some((box) => contains(box, point))) return false;
     return true;
   };
-  const free = found.find(({ box, placed }) => !over.some((each) => overlap(each, box)) || isFree(placed));
-  return (free ?? found[0])?.placed ?? null;
+  const free = boxes.find((box) => !over.some((each) => overlap(each, box)) || isFree(place(box)));
+  const chosen = free ?? boxes[0];
+  return chosen ? place(chosen) : null;
 }
 
 /// Points along a polyline, at most `step` pixels apart.
