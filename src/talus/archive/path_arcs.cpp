@@ -53,7 +53,7 @@ class Arc {
  private:
   const PathEventRow& from_;
   double duration_, mass_ = 0;
-  Vec3 p_, v_, a_ = Vec3{}, j_ = Vec3{};
+  Vec3 p_, v_, a_, j_;
 };
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace talus::calibration {
 
 /// How places on plan become distances: along the line from the releases towards the simulated stops, and to its left.
 struct PlanAxis {
-  Vec2 origin;  // mean of the releases [m]
-  Vec2 along = {1, 0};  // unit
+  Vec2 origin;       // mean of the releases [m]
+  Vec2 along{1, 0};  // unit
   [[nodiscard]] Vec2 of(const Vec2& p) const {
     const Vec2 way = p - origin;
     return {along.dot(way), along.x() * way.y() - along.y() * way.x()};

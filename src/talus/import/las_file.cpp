@@ -115,9 +115,8 @@ class LasReader {
       long_record_count_ = number_at<std::uint32_t>(header, 243);
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const auto i = axis;
-      scale_[i] = number_at<double>(header, 131 + 8 * axis);
-      offset_[i] = number_at<double>(header, 155 + 8 * axis);
+      scale_[axis] = number_at<double>(header, 131 + 8 * axis);
+      offset_[axis] = number_at<double>(header, 155 + 8 * axis);
     }
     if (!scale_.is_finite() || !offset_.is_finite() || !(std::min({scale_.x(), scale_.y(), scale_.z()}) > 0)) {
       stop(fmt::format("has the scales {:g}, {:g}, {:g} and the offsets {:g}, {:g}, {:g}", scale_.x(), scale_.y(),
