@@ -177,7 +177,7 @@ TEST_F(Kinds, ManyReleasesOfOneObservedRockAreCalibrated) {
     group.sample.rows = Eigen::Map<Eigen::VectorXd>(runouts.data(), static_cast<Eigen::Index>(runouts.size()));
     return group;
   };
-  expect_calibrated(coverage(observe, 400, many_releases(), 8));
+  expect_calibrated(coverage(observe, 400, many_releases(), 4));
 }
 
 TEST_F(Kinds, MatchedStopsAreCalibratedAndSayMore) {
