@@ -371,7 +371,7 @@ TEST(Memory, DoesNotGrowWithTheNumberOfRocks) {
   for (const auto& [maps, store, more] : {Case{"output.maps=false", none, 0.0},
                                           {"output.maps=false", full, 0.0},
                                           {"output.maps=true", none, waiting_visits}}) {
-    const double few = peak("100000", maps, store), many = peak("400000", maps, store);
+    const double few = peak("100000", maps, store), many = peak("1000000", maps, store);
     EXPECT_LT(many, 1.1 * few + 4e6 + more) << maps << ", " << store;
   }
 }
