@@ -54,8 +54,7 @@ class LasBytes {
       const std::size_t at = bytes_.size();
       bytes_.resize(at + length);
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = axis;
-        put(at + 4 * axis, static_cast<std::int32_t>(std::lround((point.at[i] - spec.offset[i]) / spec.scale)));
+        put(at + 4 * axis, static_cast<std::int32_t>(std::lround((point.at[axis] - spec.offset[axis]) / spec.scale)));
       }
       const bool is_new = (spec.format & 63) >= 6;
       put(at + (is_new ? 16 : 15), static_cast<std::uint8_t>(point.las_class | (!is_new && point.withheld ? 128 : 0)));

@@ -21,7 +21,7 @@ class RockRun {
  public:
   RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& log)
       : rock_(scene, release, draws, log), has_room_(release.has_room) {}
-  /// Goes on from a state of the same rock, on its own or, to try another future, in a changed scene.
+  /// Goes on from a state of the same rock.
   RockRun(const Scene<Surface>& scene, const Rock& rock, const RockState& from, const Draws& draws, RockLog& log)
       : rock_(scene, {from.motion, rock}, draws, log), has_room_(true), is_released_(true) {
     static_cast<RockState&>(rock_) = from;
