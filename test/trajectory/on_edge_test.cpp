@@ -21,7 +21,7 @@ const Rock ball = sphere_of_diameter(1, 2700);
 /// A plateau that ends at the origin, at a slope of `grade`.
 Profile brow(double grade) { return Profile(std::vector<Vec2>{{-10, 0}, {0, 0}, {50, -50 * grade}}); }
 
-OnEdge on_the_brow(double mu) { return {{unit_z, FacetId{0}}, {.sphere = {mu, 0}}, {}}; }
+OnEdge on_the_brow(double mu) { return {{{unit_z, FacetId{0}}, {.sphere = {mu, 0}}, {}}}; }
 
 // A step turns by at most edge_step, energy is constant, and the contact does not move.
 TEST(OnEdge, TurnsInSmallStepsAtConstantEnergy) {

@@ -29,7 +29,7 @@ Laws closed_form() {
   return laws;
 }
 OnFacet first_facet(const Profile& profile, double mu) {
-  return {{profile.normal(FacetId{0}), FacetId{0}}, {.mu = mu}, {}};
+  return {{{profile.normal(FacetId{0}), FacetId{0}}, {.mu = mu}, {}}};
 }
 
 /// A rock at rest, `way` above the bend, with one leg to the end of its facet.
@@ -46,7 +46,7 @@ TEST(OnFacet, ASphereMovesALimitedNumberOfRadiiInOneStep) {
   const Vec3 n = profile.normal(FacetId{0});
   RockOn rock(profile, {.mu = 0.6}, laws_of(RockModel::rigid_sphere, 1e6), {-40 * down + pebble.radius * n, Vec3{}},
               pebble);
-  OnFacet state{{n, FacetId{0}}, {.sphere = {0.6, 0.1}}, {}};
+  OnFacet state{{{n, FacetId{0}}, {.sphere = {0.6, 0.1}}, {}}};
   for (int k = 0; k < 20; ++k) {
     const Vec3 before = rock->motion.position;
     ASSERT_FALSE(take_leg(*rock, state));
@@ -107,7 +107,7 @@ TEST(OnFacet, ASphereRollsWithFiveSeventhsOfThePull) {
   const Vec3 n = profile.normal(FacetId{0});
   RockOn rock(profile, {.mu = 10, .rolling = 0}, laws_of(RockModel::rigid_sphere),
               {Vec3(-20 * down + ball.radius * n), Vec3{}}, ball);
-  OnFacet state{{n, FacetId{0}}, {.sphere = {10, 0}}, {}};
+  OnFacet state{{{n, FacetId{0}}, {.sphere = {10, 0}}, {}}};
   ASSERT_FALSE(take_leg(*rock, state));
   const double speed = 0.01 * 5.0 / 7 * g * 0.6;
   EXPECT_NEAR(rock->motion.velocity.dot(down), speed, 1e-12);
@@ -123,7 +123,7 @@ TEST(OnFacet, AFacetThatWasLeftOnlyLimitsTheNextLeg) {
   RockOn rock(profile, {.mu = 10, .rolling = 0}, laws_of(RockModel::rigid_sphere),
               {Vec3(-20 * down + ball.radius * n), Vec3(5 * down)}, ball);
   rock->motion.spin = rolling_spin(rock->motion.velocity, Vec3{}, n, ball.radius);
-  OnFacet state{{n, FacetId{0}}, {.sphere = {10, 0}}, LeftFacet{unit_x}};
+  OnFacet state{{{n, FacetId{0}}, {.sphere = {10, 0}}, LeftFacet{unit_x}}};
   const Vec3 start = rock->motion.position;
   ASSERT_FALSE(take_leg(*rock, state));
   EXPECT_NEAR((rock->motion.position - start).norm(), tolerance::past_the_end, 1e-6);

@@ -335,17 +335,31 @@ template <class Surface>
   return crossed_side ? std::optional(outline.edges[static_cast<std::size_t>(*crossed_side)]) : std::nullopt;
 }
 
+// ---- of a rock that one support carries: a facet, an edge or a vertex ----
+
+template <class Surface>
+[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnSupport& phase) {
+  return {phase.on.normal, rock.rock, phase.friction.sphere};
+}
+
+[[nodiscard]] inline GroundBeneath ground_beneath(const OnSupport& phase, const Footing& footing) {
+  return {phase.on.normal, {}, phase.friction.sphere, footing};
+}
+
+inline void set_guide(OnSupport& phase, const Guide& guide) { phase.side_contact = guide; }
+
+[[nodiscard]] inline const Guide* guide_of(const OnSupport& phase) { return std::get_if<Guide>(&phase.side_contact); }
+
 /// Applies a side contact to one leg: with a guide, the leg runs along it; next to a facet that the rock has left, it
 /// is so short that it ends before it could strike that facet.
 template <class Surface>
-void apply_side_contact(const MovingRock<Surface>& rock, const Support& on, SideContact& side_contact, Leg& leg,
-                        double& t) {
-  if (const auto* guide = std::get_if<Guide>(&side_contact)) {
-    leg = guided(leg, line_along(*guide, on.normal));
-  } else if (std::holds_alternative<LeftFacet>(side_contact)) {
+void apply_side_contact(const MovingRock<Surface>& rock, OnSupport& phase, Leg& leg, double& t) {
+  if (const auto* guide = std::get_if<Guide>(&phase.side_contact)) {
+    leg = guided(leg, line_along(*guide, phase.on.normal));
+  } else if (std::holds_alternative<LeftFacet>(phase.side_contact)) {
     t = std::min(t, time_for_way(tolerance::past_the_end, rock.motion.velocity.norm(), leg.path.a.norm()));
   }
-  side_contact = {};
+  phase.side_contact = {};
 }
 
 [[nodiscard]] inline const Vec3* normal_of(const SideContact& side_contact) {

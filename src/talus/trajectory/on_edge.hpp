@@ -24,29 +24,11 @@ template <class Surface>
 }
 
 template <class Surface>
-[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnEdge& phase) {
-  return {phase.on.normal, rock.rock, phase.friction.sphere};
-}
-
-[[nodiscard]] inline GroundBeneath ground_beneath(const OnEdge& phase, const Footing& footing) {
-  return {phase.on.normal, {}, phase.friction.sphere, footing};
-}
-
-inline void set_guide(OnEdge& phase, const Guide& guide) { phase.side_contact = guide; }
-
-[[nodiscard]] inline const Guide* guide_of(const OnEdge& phase) { return std::get_if<Guide>(&phase.side_contact); }
-
-template <class Surface>
 [[nodiscard]] SupportPlanes carrying(MovingRock<Surface>& rock, const OnEdge& phase) {
   SupportPlanes on;
   if (const Vec3* const side_contact = normal_of(phase.side_contact)) on = {phase.on.normal, *side_contact};
   on.turn_about(rock.motion.position - rock.reach * phase.on.normal, edge_under(rock, phase.on));
   return on;
-}
-
-template <class Surface>
-void apply_side_contact(const MovingRock<Surface>& rock, OnEdge& phase, Leg& leg, double& t) {
-  apply_side_contact(rock, phase.on, phase.side_contact, leg, t);
 }
 
 /// It is already at the end of a facet.

@@ -28,27 +28,9 @@ template <class Surface>
 }
 
 template <class Surface>
-[[nodiscard]] RollingPlane rolling_plane(const MovingRock<Surface>& rock, const OnFacet& phase) {
-  return {phase.on.normal, rock.rock, phase.friction.sphere};
-}
-
-[[nodiscard]] inline GroundBeneath ground_beneath(const OnFacet& phase, const Footing& footing) {
-  return {phase.on.normal, {}, phase.friction.sphere, footing};
-}
-
-inline void set_guide(OnFacet& phase, const Guide& guide) { phase.side_contact = guide; }
-
-[[nodiscard]] inline const Guide* guide_of(const OnFacet& phase) { return std::get_if<Guide>(&phase.side_contact); }
-
-template <class Surface>
 [[nodiscard]] SupportPlanes carrying(const MovingRock<Surface>&, const OnFacet& phase) {
   const Vec3* const side_contact = normal_of(phase.side_contact);
   return side_contact ? SupportPlanes{phase.on.normal, *side_contact} : SupportPlanes(phase.on.normal);
-}
-
-template <class Surface>
-void apply_side_contact(const MovingRock<Surface>& rock, OnFacet& phase, Leg& leg, double& t) {
-  apply_side_contact(rock, phase.on, phase.side_contact, leg, t);
 }
 
 /// Within one plane and one material the phase moves on from facet to facet, as if there were no edges between them.

@@ -51,19 +51,18 @@ struct Guide {
 /// What a rock touches in addition to its support, for one leg.
 using SideContact = std::variant<std::monostate, LeftFacet, Guide>;
 
-/// On a facet: the lumped mass slides, the rigid sphere rolls or slips (on_facet.hpp).
-struct OnFacet {
+/// One support carries the rock.
+struct OnSupport {
   Support on;
   GroundFriction friction;
   SideContact side_contact;
 };
 
+/// On a facet: the lumped mass slides, the rigid sphere rolls or slips (on_facet.hpp).
+struct OnFacet : OnSupport {};
+
 /// A sphere that turns about an edge or a vertex (on_edge.hpp).
-struct OnEdge {
-  Support on;
-  GroundFriction friction;
-  SideContact side_contact;
-};
+struct OnEdge : OnSupport {};
 
 /// Held by gravity between two supports, so that it can only move along the line in which they meet (in_valley.hpp).
 /// The rock was on `other` when it came to `on`.
