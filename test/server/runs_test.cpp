@@ -114,10 +114,12 @@ TEST_F(Runs, CanBeStoppedDuringALongRock) {
   (void)wait(id, [](const Json& now) { return now["done"] > 16'700; });  // the last block contains long rocks
   const auto asked = std::chrono::steady_clock::now();
   EXPECT_EQ(ask(id, "stop").status, 200);
-  EXPECT_EQ(wait_for(id, "stopped")["done"], 17'000);
+  // Some of the short rocks of that block may be under way.
+  const std::uint64_t done = wait_for(id, "stopped")["done"];
+  EXPECT_TRUE(done > 16'700 && done <= 17'000) << done;
   EXPECT_LT(std::chrono::steady_clock::now() - asked, std::chrono::minutes(1));
   (void)wait(id, [](const Json& now) { return now["has_results"] == true; });
-  EXPECT_EQ(get("/api/runs/" + id + "/summary").json()["rocks"]["done"], 17'000);
+  EXPECT_EQ(get("/api/runs/" + id + "/summary").json()["rocks"]["done"], done);
 }
 
 TEST_F(Runs, KeepTheirResultsIfTheyCannotBeResumed) {
