@@ -61,7 +61,7 @@ class Arrivals : public Observer {
       Arrival rock;
       rock.runout = (outcome.end.position - outcome.start.position).xy().norm();
       if (!log.hits.empty()) {
-        const BarrierHit& hit = log.hits.front();
+        const Passage& hit = log.hits.front();
         const Rock& body = record.body;
         rock.reaches = true;
         rock.energy =

@@ -71,14 +71,14 @@ int replay(const ReplayOptions& options) {
       print_row(context, record, "turns back", *turn);
     print_row(context, record, name(row.state), row.motion);
   }
-  for (const BarrierHit& hit : log.hits) {
+  for (const Passage& hit : log.hits) {
     fmt::print(
         "{}: {} at t = {:.5f} s, contact {:.3f} m and top {:.3f} m above its foot, {:.1f} degrees to its "
         "normal\n",
         context.barriers[hit.barrier.index], name(hit.outcome), hit.motion.time, hit.height,
-        top_over(hit.lowest, record.body.radius), hit.angle * 180 / std::numbers::pi);
+        top_over(hit.lowest, record.body.radius), hit.angle() * 180 / std::numbers::pi);
   }
-  for (const PassedAbove& passed : log.passed_above) {
+  for (const Passage& passed : log.passed_above) {
     fmt::print("{}: passed above with {:.3f} m to spare\n", context.barriers[passed.barrier.index], passed.clearance);
   }
   const RockOutcome& outcome = record.outcome;

@@ -50,7 +50,7 @@ struct RunWatch::Part : ObserverPart {
     seen.path.rock = record.rock;
     for (std::size_t k = 0; k < log.rows.size(); ++k)
       fill(seen.path.rows.emplace_back(), watch.context_, record, k, log.rows[k]);
-    for (const BarrierHit& hit : log.hits) seen.barriers.push_back(hit.barrier.index);
+    for (const Passage& hit : log.hits) seen.barriers.push_back(hit.barrier.index);
   }
 
   const RunWatch& watch;

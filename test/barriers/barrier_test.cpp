@@ -282,13 +282,13 @@ TEST(BarrierOnAPath, StopsAFlight) {
   const Followed path = follow(level_ground(), ground_of({}), plain_laws(), launched({0, 0, 7}, {10, 0, 0}), barriers);
   EXPECT_EQ(path.outcome.reason, EndReason::stopped_by_barrier);
   ASSERT_EQ(path.log.hits.size(), 1U);
-  const BarrierHit& hit = path.log.hits[0];
+  const Passage& hit = path.log.hits[0];
   const double z = 7 - 0.5 * standard_gravity;
   EXPECT_DOUBLE_EQ(hit.motion.time, 1);
   EXPECT_NEAR(hit.height, z, 1e-12);
   EXPECT_EQ(hit.outcome, BarrierOutcome::stopped);
   // The rock arrives from above: the angle to the normal is positive towards the foot.
-  EXPECT_NEAR(hit.angle, std::atan2(standard_gravity, 10), 1e-12);
+  EXPECT_NEAR(hit.angle(), std::atan2(standard_gravity, 10), 1e-12);
   const auto& rows = path.log.rows;
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[1].state, PathState::barrier);

@@ -58,7 +58,7 @@ TEST(ReboundingBarrier, StopsRocksThatGravityPressesAgainstIt) {
           EXPECT_EQ(path.log.hits.back().outcome, BarrierOutcome::stopped);
           const Vec3 from_foot = path.outcome.end.position - Vec3(10, 0, -6);
           EXPECT_LT(from_foot.x() - std::tan(inclination) * from_foot.z(), 1e-9);
-          for (const BarrierHit& hit : path.log.hits) EXPECT_TRUE(std::isfinite(hit.angle));
+          for (const Passage& hit : path.log.hits) EXPECT_TRUE(std::isfinite(hit.angle()));
         }
       }
     }
@@ -94,9 +94,9 @@ TEST(Collectors, OnOneLineRecordEachRockOnce) {
   }
 }
 
-std::vector<BarrierHit> hits_of(const Followed& path, std::uint32_t barrier) {
-  std::vector<BarrierHit> hits;
-  for (const BarrierHit& hit : path.log.hits) {
+std::vector<Passage> hits_of(const Followed& path, std::uint32_t barrier) {
+  std::vector<Passage> hits;
+  for (const Passage& hit : path.log.hits) {
     if (hit.barrier == BarrierId{barrier}) hits.push_back(hit);
   }
   return hits;

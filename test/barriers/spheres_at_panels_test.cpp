@@ -183,7 +183,7 @@ TEST(SphereAtACollector, IsRecordedIfABarrierStopsItThere) {
         if (rebounds) barriers[1].restitution = Restitution{0.01, 0.01};
         const Followed path = roll(slope, rock, true, barriers);
         const auto count =
-            std::ranges::count_if(path.log.hits, [](const BarrierHit& hit) { return hit.barrier.index == 0; });
+            std::ranges::count_if(path.log.hits, [](const Passage& hit) { return hit.barrier.index == 0; });
         EXPECT_GE(count, 1) << distance << ' ' << capacity;
         ASSERT_FALSE(path.log.hits.empty());
         EXPECT_EQ(path.log.hits[0].barrier.index, 0U);

@@ -219,7 +219,7 @@ TEST(Campaign, BarriersStandOnTheSlopeOfEachRock) {
     ASSERT_EQ(record.outcome.reason, EndReason::stopped_by_barrier) << rock;
     ASSERT_EQ(simulator.log().hits.size(), 2U) << rock;
     EXPECT_EQ(simulator.log().hits[0].barrier, BarrierId{1});
-    const BarrierHit& hit = simulator.log().hits[1];
+    const Passage& hit = simulator.log().hits[1];
     EXPECT_EQ(hit.barrier, BarrierId{0});
     const double foot = hit.motion.position.z() - hit.height;
     lowest = std::min(lowest, foot);

@@ -67,7 +67,7 @@ void expect_crossings_of_the_run(const std::string& text, double tolerance, bool
     hits += found.hits.size();
     above += found.passed_above.size();
     for (std::size_t k = 0; k < found.hits.size(); ++k) {
-      const BarrierHit &a = found.hits[k], &b = logged.hits[k];
+      const Passage &a = found.hits[k], &b = logged.hits[k];
       EXPECT_EQ(a.barrier.index, b.barrier.index) << "rock " << rock;
       EXPECT_EQ(a.outcome, b.outcome) << "rock " << rock;
       if (is_in_flight(path, b.motion.time)) {
@@ -89,7 +89,7 @@ void expect_crossings_of_the_run(const std::string& text, double tolerance, bool
       EXPECT_LE((a.motion.spin - b.motion.spin).norm(), tolerance) << "rock " << rock;
     }
     for (std::size_t k = 0; k < found.passed_above.size(); ++k) {
-      const PassedAbove &a = found.passed_above[k], &b = logged.passed_above[k];
+      const Passage &a = found.passed_above[k], &b = logged.passed_above[k];
       EXPECT_EQ(a.barrier.index, b.barrier.index);
       EXPECT_NEAR(a.clearance, b.clearance, tolerance);
       EXPECT_NEAR(a.lowest, b.lowest, tolerance);

@@ -32,14 +32,12 @@ inline Seen crossing_rock(const std::vector<Crosses>& crossings) {
     const double lowest = std::max(crossing.height - 2 * seen.record.body.radius, 0.0);
     motion.velocity = crossing.velocity * Vec3(0.6, 0, -0.8);
     motion.spin = Vec3(0, crossing.velocity * std::sqrt(0.1 * 200 / 8), 0);
-    if (crossing.above) {
-      seen.log.passed_above.push_back({BarrierId{crossing.barrier}, 1, motion, crossing.station, lowest});
-    } else {
-      BarrierHit hit{BarrierId{crossing.barrier}, motion, lowest};
-      hit.station = crossing.station;
-      hit.lowest = lowest;
-      seen.log.hits.push_back(hit);
-    }
+    Crossing where;
+    where.barrier = BarrierId{crossing.barrier};
+    where.height = where.lowest = lowest;
+    where.clearance = 1;
+    where.station = crossing.station;
+    (crossing.above ? seen.log.passed_above : seen.log.hits).push_back({where, motion});
   }
   return seen;
 }

@@ -50,14 +50,14 @@ std::vector<Seen> random_rocks(Dice& dice, std::size_t count) {
     record.outcome.events = static_cast<std::int64_t>(dice.below(9));
     record.was_lifted = dice.chance(0.2);
     if (dice.chance(0.4)) {
-      BarrierHit hit;
+      Passage hit;
       hit.barrier = BarrierId{static_cast<std::uint32_t>(dice.below(2))};
       hit.motion.velocity = dice.in_cube(20);
       hit.height = dice.unit();
       hit.outcome = static_cast<BarrierOutcome>(dice.below(4));
       log.hits.push_back(hit);
     }
-    if (dice.chance(0.2)) log.passed_above.push_back({BarrierId{1}, dice.unit()});
+    if (dice.chance(0.2)) log.passed_above.push_back({{.barrier = BarrierId{1}, .clearance = dice.unit()}});
   }
   return rocks;
 }

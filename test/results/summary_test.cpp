@@ -122,7 +122,7 @@ TEST(Summary, CountsHitsOnABarrierAndTheirRocks) {
   Seen twice = ended_at(Vec3{}, Vec3{}), over = twice;
   const Rock& rock = twice.record.body;
   for (const double speed : {4.0, 10.0}) {
-    BarrierHit hit;
+    Passage hit;
     hit.barrier = BarrierId{1};
     hit.motion.velocity = {0, speed, 0};
     hit.motion.spin = {3, 0, 0};
@@ -130,7 +130,8 @@ TEST(Summary, CountsHitsOnABarrierAndTheirRocks) {
     hit.outcome = speed > 5 ? BarrierOutcome::stopped : BarrierOutcome::passed;
     twice.log.hits.push_back(hit);
   }
-  over.log.passed_above = {{BarrierId{1}, 0.75}, {BarrierId{1}, 0.25}};
+  over.log.passed_above = {{{.barrier = BarrierId{1}, .clearance = 0.75}},
+                           {{.barrier = BarrierId{1}, .clearance = 0.25}}};
   const Summary summary = summary_of({twice, over}, 2);
   const BarrierTally& untouched = summary.barriers[0];
   EXPECT_EQ(untouched.rocks_hit + untouched.rocks_passed_above + untouched.height.count(), 0U);
@@ -152,13 +153,13 @@ TEST(Summary, TakesMemoryOnlyForCollectorsThatRocksReach) {
   static_assert(sizeof(BarrierTally) < 1000);
   Seen seen = ended_at({0, 0, 1}, {2, 0, 0});
   for (const std::uint32_t number : {77'777U, 3U, 77'777U}) {
-    BarrierHit hit;
+    Passage hit;
     hit.barrier = BarrierId{number};
     hit.height = 2;
     seen.log.hits.push_back(hit);
   }
-  seen.log.passed_above.push_back({BarrierId{5}, 0.5});
-  seen.log.passed_above.push_back({BarrierId{5}, 0.25});
+  seen.log.passed_above.push_back({{.barrier = BarrierId{5}, .clearance = 0.5}});
+  seen.log.passed_above.push_back({{.barrier = BarrierId{5}, .clearance = 0.25}});
   const Summary summary = summary_of({seen, seen}, collectors);
   ASSERT_EQ(summary.barriers.size(), collectors);
   EXPECT_EQ(summary.barriers[77'777].height.count(), 4U);

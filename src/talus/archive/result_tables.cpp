@@ -162,14 +162,14 @@ void fill(ImpactRow& row, const TableContext& context, const RockRecord& record,
   row.ke_out_J = kinetic(impact.after);
 }
 
-void fill(HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit) {
+void fill(HitRow& row, const TableContext& context, const RockRecord& record, const Passage& hit) {
   row.barrier = context.barriers[hit.barrier.index];
   row.rock = record.rock;
   row.time_s = hit.motion.time;
   row.position_m = coordinates(context.frame.global_from_local(hit.motion.position));
   row.impact_height_m = hit.height;
   row.velocity_m_s = coordinates(hit.motion.velocity);
-  row.angle_deg = hit.angle * 180 / std::numbers::pi;
+  row.angle_deg = hit.angle() * 180 / std::numbers::pi;
   row.ke_translational_J = translational_energy(record.body, hit.motion);
   row.ke_rotational_J = rotational_energy(record.body, hit.motion);
   row.ke_total_J = row.ke_translational_J + row.ke_rotational_J;

@@ -53,6 +53,6 @@ void fill(PathEventRow& row, const TableContext& context, const RockRecord& reco
 /// `number` from 1.
 void fill(ImpactRow& row, const TableContext& context, const RockRecord& record, std::uint64_t number,
           const Impact& impact);
-void fill(HitRow& row, const TableContext& context, const RockRecord& record, const BarrierHit& hit);
+void fill(HitRow& row, const TableContext& context, const RockRecord& record, const Passage& hit);
 
 }  // namespace talus

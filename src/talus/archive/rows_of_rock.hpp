@@ -51,7 +51,7 @@ template <>
 struct RowsOfRock<HitRow> : RowsOfAnyRun {
   template <class Visit>
   static void visit(const TableRocks&, const RockRecord& record, const RockLog& log, Visit&& visit) {
-    for (const BarrierHit& hit : log.hits) visit(record, hit);
+    for (const Passage& hit : log.hits) visit(record, hit);
   }
 };
 

@@ -109,17 +109,6 @@ enum class BarrierOutcome { stopped, rebounded, broke_through, passed };
 inline constexpr int barrier_outcome_count = 4;
 [[nodiscard]] const char* name(BarrierOutcome outcome);
 
-/// A rock arrives at a barrier.
-struct BarrierHit {
-  BarrierId barrier;
-  Motion motion;      // as it arrives
-  double height = 0;  // of the contact above the foot, along the face; at a collector, of the centre [m]
-  double angle = 0;   // between the velocity and the face's normal, positive towards the foot [rad]
-  BarrierOutcome outcome = BarrierOutcome::passed;
-  double station = 0;  // position along the line, on plan [m]
-  double lowest = 0;   // of the block's lowest point above the foot, along the face [m]
-};
-
 /// What the barrier does to the rock, and how the rock leaves: unchanged if it passes, nullopt if it stops.
 struct BarrierResponse {
   BarrierOutcome outcome = BarrierOutcome::passed;

@@ -79,8 +79,8 @@ std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis
       const RockRecord& record = path.record;
       const RockLog& log = follower.follow(path);
       for (std::uint32_t line = 0; line < lines.size(); ++line) {
-        const auto crossing = first_crossing_of(log, barriers.numbers[line]);
-        if (!crossing) continue;
+        const Passage* const crossing = first_passage(log, barriers.numbers[line]);
+        if (crossing == nullptr) continue;
         const DesignPlan& plan = answers[line].plan;
         found[block].push_back({line, {record.rock, line_crossing(plan, plan.lines.front(), record.body, *crossing)}});
       }

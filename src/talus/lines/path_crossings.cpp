@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "talus/store/ground_parts.hpp"
 
@@ -83,17 +82,13 @@ void PathCrossings::pass_above(const PathPiece& piece, const Crossing& crossing)
   const Motion there = motion_at(piece, crossing);
   const double time = piece.start_time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
   recent_.record_passage(crossing, time, speed > 0 ? time + (reach_ + crossing.way_over) / speed : time);
-  found_.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.station, crossing.lowest});
+  found_.passed_above.push_back({crossing, there});
 }
 
 void PathCrossings::arrive(const PathPiece& piece, const Crossing& crossing, BarrierOutcome outcome) {
   const Motion there = motion_at(piece, crossing);
-  if (recent_.is_over(crossing.barrier, there.time)) {  // it has not passed above after all
-    auto& passed = found_.passed_above;
-    const auto last = std::ranges::find(passed.rbegin(), passed.rend(), crossing.barrier, &PassedAbove::barrier);
-    if (last != passed.rend()) passed.erase(std::next(last).base());
-  }
-  found_.hits.push_back({crossing.barrier, there, crossing.height, 0, outcome, crossing.station, crossing.lowest});
+  if (recent_.is_over(crossing.barrier, there.time)) take_back(found_.passed_above, crossing.barrier);
+  found_.hits.push_back({crossing, there, outcome});
 }
 
 /// `velocity`: with which the rock leaves the barrier that ended the last piece.

@@ -131,23 +131,23 @@ class DesignObserver::Part : public ObserverPart {
 
   void see(const RockRecord& record, const RockLog& log) override {
     ++rocks;
-    std::optional<FirstCrossing> reached;
-    if (plan_.protect) reached = first_crossing_of(log, *plan_.protect);
+    const Passage* const reached = plan_.protect ? first_passage(log, *plan_.protect) : nullptr;
     for (std::uint32_t k = 0; k < plan_.lines.size(); ++k) {
       const DesignLine& line = plan_.lines[k];
-      const auto crossing = first_crossing_of(log, line.barrier);
-      const bool counts = plan_.protect ? reached.has_value() : crossing.has_value();
-      const bool is_met = crossing && (!reached || crossing->motion->time <= reached->motion->time) &&
+      const Passage* const crossing = first_passage(log, line.barrier);
+      const bool counts = (plan_.protect ? reached : crossing) != nullptr;
+      const bool is_met = crossing != nullptr &&
+                          (reached == nullptr || crossing->motion.time <= reached->motion.time) &&
                           !line.is_at_free_end(crossing->station, plan_.free_end);
       if (counts && !is_met) ++beside[k];
       at_lines_[k] = {};
-      if (!crossing) continue;
+      if (crossing == nullptr) continue;
       crossings.push_back({k, counts && is_met, line_crossing(plan_, line, record.body, *crossing)});
-      at_lines_[k].time = crossing->motion->time;
+      at_lines_[k].time = crossing->motion.time;
       if (is_met)
         at_lines_[k].kit = tally_.lines[k].demands.number(crossings.back().at.height, crossings.back().at.energy);
     }
-    for (std::uint32_t k = 0; k < plan_.pairs.size(); ++k) add_pair(k, reached.has_value());
+    for (std::uint32_t k = 0; k < plan_.pairs.size(); ++k) add_pair(k, reached != nullptr);
   }
 
   struct Crossing {

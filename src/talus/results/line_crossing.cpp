@@ -7,18 +7,14 @@
 
 namespace talus {
 
-std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier) {
-  std::optional<FirstCrossing> first;
-  const auto consider = [&](const auto& crossings) {
-    for (const auto& crossing : crossings) {
-      if (crossing.barrier.index != barrier) continue;
-      if (!first || crossing.motion.time < first->motion->time) {
-        first = FirstCrossing{&crossing.motion, crossing.lowest, crossing.station};
-      }
+const Passage* first_passage(const RockLog& log, std::uint32_t barrier) {
+  const Passage* first = nullptr;
+  for (const auto* passages : {&log.hits, &log.passed_above}) {
+    for (const Passage& passage : *passages) {
+      if (passage.barrier.index != barrier) continue;
+      if (first == nullptr || passage.motion.time < first->motion.time) first = &passage;
     }
-  };
-  consider(log.hits);
-  consider(log.passed_above);
+  }
   return first;
 }
 
@@ -26,18 +22,17 @@ std::uint32_t first_sufficient(const std::vector<double>& ascending, double need
   return static_cast<std::uint32_t>(std::ranges::lower_bound(ascending, needed) - ascending.begin());
 }
 
-LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock,
-                           const FirstCrossing& crossing) {
-  const double velocity = crossing.motion->velocity.norm();
+LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock, const Passage& crossing) {
+  const double velocity = crossing.motion.velocity.norm();
   const double translational = 0.5 * rock.mass * velocity * velocity;
-  const double total = translational + 0.5 * rock.inertia * crossing.motion->spin.squared_norm();
+  const double total = translational + 0.5 * rock.inertia * crossing.motion.spin.squared_norm();
   const double energy = energy_to_check(plan.factors, translational, total, velocity);
   constexpr double by_rounding = 1e-6;  // lowest point of a rock that rolls on the ground [m]
   const double lowest = crossing.lowest > by_rounding ? crossing.lowest : 0;
   const double height = needed_height(plan.factors, lowest, radius_to_check(plan.factors, rock.mass, rock.radius));
   LineCrossing crosses{.section = line.section_at(crossing.station),
                        .values = {translational, total, velocity, top_over(lowest, rock.radius), height,
-                                  line.lateral_of(crossing.station, crossing.motion->velocity)},
+                                  line.lateral_of(crossing.station, crossing.motion.velocity)},
                        .diameter = 2 * rock.radius,
                        .needed_energy = needed_maximum_energy(plan.factors, energy)};
   crosses.height = first_sufficient(plan.heights, crosses.needed_height());

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "talus/results/design_plan.hpp"
@@ -25,12 +24,9 @@ inline constexpr std::size_t crossing_quantity_count = 6;
 /// The first ones have percentiles in the results.
 inline constexpr std::size_t shown_quantity_count = 4;
 
-/// A rock's first crossing of a barrier or collector: on a panel or above it, stopped there or not.
-struct FirstCrossing {
-  const Motion* motion = nullptr;  // in the log
-  double lowest = 0, station = 0;  // of the lowest point above the foot, along the face; along the line on plan [m]
-};
-[[nodiscard]] std::optional<FirstCrossing> first_crossing_of(const RockLog& log, std::uint32_t barrier);
+/// A rock's first crossing of a barrier or collector, on a panel or above it, stopped there or not; null if there is
+/// none.
+[[nodiscard]] const Passage* first_passage(const RockLog& log, std::uint32_t barrier);
 
 struct LineCrossing {
   std::uint32_t section = 0;
@@ -47,6 +43,6 @@ struct LineCrossing {
 [[nodiscard]] std::uint32_t first_sufficient(const std::vector<double>& ascending, double needed);
 
 [[nodiscard]] LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock,
-                                         const FirstCrossing& crossing);
+                                         const Passage& crossing);
 
 }  // namespace talus

@@ -216,7 +216,7 @@ class SummaryPart : public ObserverPart {
  private:
   void see_barriers(const RockRecord& record, const RockLog& log) {
     reached_.clear();
-    for (const BarrierHit& hit : log.hits) {
+    for (const Passage& hit : log.hits) {
       BarrierTally& tally = tally_of(hit.barrier);
       const double speed = hit.motion.velocity.norm();
       const double translational = 0.5 * record.body.mass * speed * speed;
@@ -228,7 +228,7 @@ class SummaryPart : public ObserverPart {
       reached_.push_back(hit.barrier.index);
     }
     for (const std::uint32_t barrier : take_reached()) ++tally_of({barrier}).rocks_hit;
-    for (const PassedAbove& passed : log.passed_above) {
+    for (const Passage& passed : log.passed_above) {
       BarrierTally& tally = tally_of(passed.barrier);
       tally.least_clearance = std::min(tally.least_clearance.value_or(passed.clearance), passed.clearance);
       reached_.push_back(passed.barrier.index);

@@ -47,7 +47,7 @@ class PreparedSite::Worker {
     outcome.ends.push_back({record.rock, record.seeder, global(path.start.position), global(path.end.position),
                             path.reason, record.body.mass, record.body.radius, path.end.time, path.max_kinetic_energy,
                             path.max_bounce});
-    for (const BarrierHit& hit : log.hits) {
+    for (const Passage& hit : log.hits) {
       outcome.crossings.push_back({record.rock, hit.barrier, global(hit.motion.position), hit.height,
                                    top_over(hit.lowest, record.body.radius), hit.motion.velocity.norm(),
                                    translational_energy(record.body, hit.motion),

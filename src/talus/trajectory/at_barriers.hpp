@@ -32,16 +32,7 @@ template <class Surface>
 void pass_above(MovingRock<Surface>& rock, const Crossing& crossing, const Motion& there) {
   const double time = rock.motion.time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
   rock.crossed.record_passage(crossing, time, speed > 0 ? time + (rock.reach + crossing.way_over) / speed : time);
-  rock.log.passed_above.push_back({crossing.barrier, crossing.clearance, there, crossing.station, crossing.lowest});
-}
-
-/// A rock that meets a barrier while it is over it has not passed above after all.
-template <class Surface>
-void cancel_passage(MovingRock<Surface>& rock, BarrierId barrier) {
-  if (!rock.crossed.is_over(barrier, rock.motion.time)) return;
-  auto& passed = rock.log.passed_above;
-  const auto last = std::ranges::find(passed.rbegin(), passed.rend(), barrier, &PassedAbove::barrier);
-  if (last != passed.rend()) passed.erase(std::next(last).base());
+  rock.log.passed_above.push_back({crossing, there});
 }
 
 /// The velocity after a rebound from a barrier; nullopt if the rock stops there: if it is pressed against the barrier
@@ -93,18 +84,14 @@ template <class Surface>
                                      const Vec3& pull, const GroundBeneath* on = nullptr) {
   Motion& motion = rock.motion;
   const Barrier& barrier = rock.barriers[crossing.barrier.index];
-  cancel_passage(rock, crossing.barrier);
+  if (rock.crossed.is_over(crossing.barrier, motion.time)) take_back(rock.log.passed_above, crossing.barrier);
   BarrierResponse response = respond(barrier, motion, crossing.normal, rock.rock);
   if (response.outcome == BarrierOutcome::rebounded) {
     const auto velocity = rebound_velocity(rock, crossing, *response.leaving, pull, on);
     response = velocity ? BarrierResponse{BarrierOutcome::rebounded, Rebound{*velocity, response.leaving->spin}}
                         : BarrierResponse{BarrierOutcome::stopped, std::nullopt};
   }
-  const double speed = motion.velocity.norm();
-  const double across = speed > 0 ? std::clamp(-motion.velocity.dot(crossing.across) / speed, -1.0, 1.0) : 1;
-  const double angle = std::copysign(std::acos(across), -motion.velocity.dot(crossing.up));
-  rock.log.hits.push_back(
-      {crossing.barrier, motion, crossing.height, angle, response.outcome, crossing.station, crossing.lowest});
+  rock.log.hits.push_back({crossing, motion, response.outcome});
   if (response.outcome == BarrierOutcome::rebounded) {
     rock.crossed.record_rebound(crossing, path_time, response.leaving->velocity);
   } else if (response.leaving) {

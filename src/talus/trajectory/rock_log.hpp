@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "talus/barriers/barrier.hpp"
+#include "talus/barriers/passage.hpp"
 #include "talus/core/id.hpp"
 #include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
@@ -66,15 +66,6 @@ struct PathPiece {
     const double share = duration > 0 ? s / duration : 0;
     return (1 - share) * start + share * end;
   }
-};
-
-/// A rock passed above a barrier.
-struct PassedAbove {
-  BarrierId barrier;
-  double clearance;    // of the rock's underside above the top [m]
-  Motion motion{};     // where it passes
-  double station = 0;  // where along the line, on plan [m]
-  double lowest = 0;   // of the block's lowest point above the foot, along the face [m]
 };
 
 /// A rock strikes the ground.
@@ -200,8 +191,8 @@ class RockLog {
   std::vector<GlideStep> glide_steps;
   std::vector<Vec3> impact_places;
   std::vector<Impact> impacts;  // only if requested
-  std::vector<BarrierHit> hits;
-  std::vector<PassedAbove> passed_above;
+  std::vector<Passage> hits;    // of barriers and collectors
+  std::vector<Passage> passed_above;
   RockWays ways;
 
  private:

@@ -70,7 +70,7 @@ struct ObservedPart : ObserverPart {
     ++observed.ends[static_cast<std::size_t>(record.outcome.reason)];
     add(SampleQuantity::runout_xy_m, runout(record.outcome, model.runout_frame).plan);
     add(SampleQuantity::end_x_m, model.frame.global_from_local(record.outcome.end.position).x());
-    for (const BarrierHit& hit : log.hits) {
+    for (const Passage& hit : log.hits) {
       add(SampleQuantity::barrier_ke_translational_kJ,
           0.5 * record.body.mass * hit.motion.velocity.squared_norm() / 1000);
       add(SampleQuantity::barrier_height_m, hit.height);

@@ -59,8 +59,8 @@ class Asker {
       const auto inside = rock_inside(model_, std::get<AskedArea>(place_), path_);
       return inside ? std::optional(inside->maxima) : std::nullopt;
     }
-    const auto crossing = first_crossing_of(follower_->follow(path_), number_);
-    if (!crossing) return std::nullopt;
+    const Passage* const crossing = first_passage(follower_->follow(path_), number_);
+    if (crossing == nullptr) return std::nullopt;
     return line_crossing(plan_, plan_.lines.front(), record.body, *crossing).values;
   }
 
