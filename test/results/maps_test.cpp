@@ -239,7 +239,7 @@ TEST(Maps, TreatAGlideLikeItsSteps) {
       step.y += 0.01 * step.vy;
       seen.log.glide_steps.push_back(step);
     }
-    seen.log.glide(motion, 0, 0, 0.01, down, aside, FacetId{});
+    seen.log(event::Glide{motion, motion, 0, 0.01, down, aside, FacetId{}});
     std::vector<PathPiece> pieces;
     seen.log.for_each_piece([&](const PathPiece& piece) { pieces.push_back(piece); });
     EXPECT_EQ(pieces.size(), 1 + seen.log.glide_steps.size());

@@ -2,11 +2,11 @@
 // A rock on its way, which a test takes from one state to the next.
 
 #include "support/scenes.hpp"
-#include "talus/trajectory/moving_rock.hpp"
+#include "talus/trajectory/tracked_rock.hpp"
 
 namespace talus::testing_tools {
 
-/// Everything that a MovingRock refers to. Its ground has one material.
+/// Everything that a TrackedRock refers to. Its ground has one material.
 template <class Surface>
 class RockOn {
  public:
@@ -14,8 +14,8 @@ class RockOn {
          const Rock& rock = sphere_of_mass(1000, 2700))
       : laws_(laws), ground_(ground_of(soil)), moving_({surface, ground_, {}, laws_}, {motion, rock}, draws_, log_) {}
 
-  MovingRock<Surface>& operator*() { return moving_; }
-  MovingRock<Surface>* operator->() { return &moving_; }
+  TrackedRock<Surface, RockLog>& operator*() { return moving_; }
+  TrackedRock<Surface, RockLog>* operator->() { return &moving_; }
   [[nodiscard]] const RockLog& log() const { return log_; }
 
  private:
@@ -23,7 +23,7 @@ class RockOn {
   Ground ground_;
   Draws draws_{SamplingPlan{}, 0};
   RockLog log_{true};
-  MovingRock<Surface> moving_;
+  TrackedRock<Surface, RockLog> moving_;
 };
 
 [[nodiscard]] inline Laws laws_of(RockModel model, double timestep = 0.01) {

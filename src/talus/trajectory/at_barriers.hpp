@@ -1,7 +1,7 @@
 #pragma once
 // A rock meets barriers and collectors: it is stopped, rebounds, breaks through, or passes above.
 
-#include "talus/trajectory/moving_rock.hpp"
+#include "talus/trajectory/tracked_rock.hpp"
 
 namespace talus {
 
@@ -28,11 +28,11 @@ template <class Surface>
 }
 
 /// `there`: the rock's motion at `crossing.t`, where it passes.
-template <class Surface>
-void pass_above(MovingRock<Surface>& rock, const Crossing& crossing, const Motion& there) {
+template <class Surface, class Sink>
+void pass_above(TrackedRock<Surface, Sink>& rock, const Crossing& crossing, const Motion& there) {
   const double time = rock.motion.time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
   rock.crossed.record_passage(crossing, time, speed > 0 ? time + (rock.reach + crossing.way_over) / speed : time);
-  rock.log.passed_above.push_back({crossing, there});
+  rock.tell(event::PassedAbove{{crossing, there}});
 }
 
 /// The velocity after a rebound from a barrier; nullopt if the rock stops there: if it is pressed against the barrier
@@ -79,29 +79,34 @@ template <class Surface>
 
 /// The rock has reached a barrier. `path_time`: the time of its release plus the path's parameter; `pull` and `on` as
 /// in rebound_velocity().
-template <class Surface>
-[[nodiscard]] AtBarrier meet_barrier(MovingRock<Surface>& rock, const Crossing& crossing, double path_time,
+template <class Surface, class Sink>
+[[nodiscard]] AtBarrier meet_barrier(TrackedRock<Surface, Sink>& rock, const Crossing& crossing, double path_time,
                                      const Vec3& pull, const GroundBeneath* on = nullptr) {
   Motion& motion = rock.motion;
   const Barrier& barrier = rock.barriers[crossing.barrier.index];
-  if (rock.crossed.is_over(crossing.barrier, motion.time)) take_back(rock.log.passed_above, crossing.barrier);
+  if (rock.crossed.is_over(crossing.barrier, motion.time)) rock.tell(event::NotPassedAbove{crossing.barrier});
   BarrierResponse response = respond(barrier, motion, crossing.normal, rock.rock);
   if (response.outcome == BarrierOutcome::rebounded) {
     const auto velocity = rebound_velocity(rock, crossing, *response.leaving, pull, on);
     response = velocity ? BarrierResponse{BarrierOutcome::rebounded, Rebound{*velocity, response.leaving->spin}}
                         : BarrierResponse{BarrierOutcome::stopped, std::nullopt};
   }
-  rock.log.hits.push_back({crossing, motion, response.outcome});
+  const Passage passage{crossing, motion, response.outcome};
   if (response.outcome == BarrierOutcome::rebounded) {
     rock.crossed.record_rebound(crossing, path_time, response.leaving->velocity);
   } else if (response.leaving) {
     const double leaving_speed = std::max(response.leaving->velocity.norm(), tolerance::least_passing_speed);
     rock.crossed.record_passage(crossing, path_time, path_time + 4 * rock.reach / leaving_speed);
   }
-  if (barrier.is_collector) return AtBarrier::unaffected;
-
-  rock.arrive(PathState::barrier);
-  if (!response.leaving) return AtBarrier::stopped;
+  if (barrier.is_collector) {
+    rock.tell(event::AtCollector{passage});
+    return AtBarrier::unaffected;
+  }
+  rock.arrive(passage);
+  if (!response.leaving) {
+    rock.stop_at_barrier();
+    return AtBarrier::stopped;
+  }
   motion.velocity = response.leaving->velocity;
   motion.spin = response.leaving->spin;
   return AtBarrier::continues;

@@ -44,9 +44,10 @@ template <class Surface>
 }
 
 /// Flies to `flight_end`, or to a barrier before it, and returns the next phase; nullopt if the rock is still flying.
-template <class Surface>
-[[nodiscard]] std::optional<Phase> fly_along(MovingRock<Surface>& rock, const Flying& phase, const Parabola& path,
-                                             const LinearDrag& drag, const FlightEnd& flight_end) {
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<Phase> fly_along(TrackedRock<Surface, Sink>& rock, const Flying& phase,
+                                             const Parabola& path, const LinearDrag& drag,
+                                             const FlightEnd& flight_end) {
   Motion& motion = rock.motion;
   const double start = motion.time;
   // Barriers record times by the parabola's parameter.
@@ -66,25 +67,25 @@ template <class Surface>
       continue;
     }
     retime();
-    rock.log.flight(path, crossing->t, before, drag);
+    rock.tell(event::Flight{before, path, crossing->t, drag});
     rock.max_height = max_height_of_flight(rock.surface, path, 0, crossing->t, rock.max_height);
     if (then == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
-    rock.log_row(PathState::projectile);
+    rock.leave(PathState::projectile);
     return Flying{};
   }
 
   retime();
   rock.max_height = flight_end.max_height ? *flight_end.max_height
                                           : max_height_of_flight(rock.surface, path, 0, flight_end.t, rock.max_height);
-  rock.log.flight(path, flight_end.t, motion, drag);
+  rock.tell(event::Flight{motion, path, flight_end.t, drag});
   rock.advance(path, drag, flight_end.t);
   if (flight_end.contact) return strike(rock, *flight_end.contact, phase.ground);
   if (flight_end.exit) return Ended{reason_of(*flight_end.exit)};
   return std::nullopt;
 }
 
-template <class Surface>
-[[nodiscard]] Phase fly(MovingRock<Surface>& rock, const Flying& phase) {
+template <class Surface, class Sink>
+[[nodiscard]] Phase fly(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
   const FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, phase.left);
   const auto next = fly_along(rock, phase, path, {}, end);

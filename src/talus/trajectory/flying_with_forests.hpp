@@ -35,8 +35,8 @@ template <class Surface>
 }
 
 /// A flight outside forests, up to the first one.
-template <class Surface>
-[[nodiscard]] std::optional<Phase> fly_to_forest(MovingRock<Surface>& rock, const Flying& phase) {
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<Phase> fly_to_forest(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
   FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, phase.left);
   for (double t = 0; t < end.t;) {
@@ -51,8 +51,8 @@ template <class Surface>
 }
 
 /// One piece of a flight in a forest.
-template <class Surface>
-[[nodiscard]] std::optional<Phase> fly_in_forest(MovingRock<Surface>& rock, const Flying& phase, double rate) {
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<Phase> fly_in_forest(TrackedRock<Surface, Sink>& rock, const Flying& phase, double rate) {
   const Motion& motion = rock.motion;
   const Laws& laws = rock.laws;
   LinearDrag drag{rate, laws.gravity};
@@ -79,8 +79,8 @@ template <class Surface>
   return fly_along(rock, phase, path, drag, end);
 }
 
-template <class Surface>
-[[nodiscard]] Phase fly_with_forests(MovingRock<Surface>& rock, const Flying& phase) {
+template <class Surface, class Sink>
+[[nodiscard]] Phase fly_with_forests(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
   while (true) {
     const double rate = forest_drag_at(rock, rock.motion.position);
     const auto next = rate > 0 ? fly_in_forest(rock, phase, rate) : fly_to_forest(rock, phase);

@@ -12,8 +12,7 @@ struct GlideOnFacet {
   Glide glide;
   Vec3 down, aside;  // unit, on the facet
   FacetId facet;
-  double way_to_bump = 0;      // at its start [m]
-  std::size_t first_step = 0;  // in the log
+  double way_to_bump = 0;  // at its start [m]
 };
 
 /// The glide from the rock's present motion; nullopt if it cannot glide.
@@ -46,22 +45,24 @@ template <class Surface>
     glide.sides[k] = {edge.inward.dot(start - edge.point), edge.inward.dot(on.down), edge.inward.dot(on.aside)};
   }
   on.facet = phase.on.facet;
-  on.first_step = rock.log.glide_steps.size();
   return on;
 }
 
-template <class Surface>
-void end_glide(MovingRock<Surface>& rock, const GlideOnFacet& on) {
+template <class Surface, class Sink>
+void end_glide(TrackedRock<Surface, Sink>& rock, const GlideOnFacet& on) {
   Motion& motion = rock.motion;
   const Glide& glide = on.glide;
+  const Motion before = motion;
+  const bool moves = glide.x != 0 || glide.y != 0;
+  if (moves) {
+    if (std::isfinite(on.way_to_bump)) rock.cover(on.facet, on.way_to_bump - glide.way_to_bump);
+    motion.position += glide.x * on.down + glide.y * on.aside;
+    motion.velocity = glide.vx * on.down + glide.vy * on.aside;
+    motion.time = glide.time;
+  }
   const double way = std::sqrt(glide.x * glide.x + glide.y * glide.y);
-  rock.log.glide(motion, way, on.first_step, rock.laws.timestep, on.down, on.aside, on.facet);
-  if (glide.x == 0 && glide.y == 0) return;
-  if (std::isfinite(on.way_to_bump)) rock.cover(on.facet, on.way_to_bump - glide.way_to_bump);
-  motion.position += glide.x * on.down + glide.y * on.aside;
-  motion.velocity = glide.vx * on.down + glide.vy * on.aside;
-  motion.time = glide.time;
-  rock.update_max_energy();
+  rock.tell(event::Glide{before, motion, way, rock.laws.timestep, on.down, on.aside, on.facet});
+  if (moves) rock.update_max_energy();
 }
 
 }  // namespace talus

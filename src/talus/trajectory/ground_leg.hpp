@@ -23,8 +23,8 @@ struct LegEnd {
 };
 
 /// A phase of a rock on the ground: the functions that take_leg() needs of it.
-template <class Current, class Surface>
-concept GroundPhase = requires(MovingRock<Surface>& rock, Current& phase, Leg& leg, double& t, const LegEnd& end,
+template <class Current, class Surface, class Sink>
+concept GroundPhase = requires(TrackedRock<Surface, Sink>& rock, Current& phase, Leg& leg, double& t, const LegEnd& end,
                                const Footing& footing) {
   { footing_of(rock, phase) } -> std::same_as<Footing>;
   /// Maximum duration of a leg [s].
@@ -197,8 +197,8 @@ struct LegAtBarriers {
   std::optional<Guide> guide;
 };
 
-template <class Surface>
-[[nodiscard]] LegAtBarriers meet_barriers(MovingRock<Surface>& rock, FacetId facet, const Leg& leg, double t,
+template <class Surface, class Sink>
+[[nodiscard]] LegAtBarriers meet_barriers(TrackedRock<Surface, Sink>& rock, FacetId facet, const Leg& leg, double t,
                                           const GroundBeneath& on) {
   while (const auto crossing = next_crossing(rock, leg.path, t)) {
     if (is_driven_onto(rock, *crossing, on)) return {AtBarrier::unaffected, Guide{crossing->normal}};
@@ -211,7 +211,7 @@ template <class Surface>
     const Motion arrived = rock.motion;
     const AtBarrier effect = meet_barrier(rock, *crossing, rock.motion.time, on.footing.pull, &on);
     if (effect != AtBarrier::unaffected) {
-      rock.log_leg(facet, leg.path, crossing->t, before, arrived);
+      rock.cover_leg(facet, leg.path, crossing->t, before, arrived);
       return {effect, {}};
     }
     rock.motion = before;
@@ -234,16 +234,16 @@ void keep_along_guide(MovingRock<Surface>& rock, const Vec3& n, const Guide& gui
 }
 
 /// One leg. Returns the phase after it, or nullopt if the phase has not changed.
-template <class Surface, class Current>
-requires GroundPhase<Current, Surface>
-[[nodiscard]] std::optional<NextPhase> take_leg(MovingRock<Surface>& rock, Current& phase) {
+template <class Surface, class Sink, class Current>
+requires GroundPhase<Current, Surface, Sink>
+[[nodiscard]] std::optional<NextPhase> take_leg(TrackedRock<Surface, Sink>& rock, Current& phase) {
   Motion& motion = rock.motion;
   Footing footing = footing_of(rock, phase);
   rock.progress.record(motion, rock.reach, std::min(1.0, rock.laws.timestep / 0.01));
   if (rests(rock, phase, footing) || rock.is_wedged()) return NextPhase{come_to_rest(rock)};
   if (motion.time >= rock.laws.max_time) return NextPhase{Ended{EndReason::maximum_time}};
   const bool stands = motion.velocity.squared_norm() == 0;
-  if (stands && !std::exchange(rock.stretch.has_turned, true)) rock.log.turn(motion);
+  if (stands && !std::exchange(rock.stretch.has_turned, true)) rock.tell(event::Turn{motion});
 
   if (const Guide* const guide = guide_of(phase)) keep_along_guide(rock, phase.on.normal, *guide, footing);
   Leg leg = next_leg(rock, phase, footing);
@@ -257,7 +257,7 @@ requires GroundPhase<Current, Surface>
   if (barriers.effect == AtBarrier::stopped) return NextPhase{Ended{EndReason::stopped_by_barrier}};
   if (barriers.effect == AtBarrier::continues) {
     motion.velocity = beneath.along_ground(motion.velocity);
-    rock.log_row(rock.state_on(phase.on.normal));
+    rock.leave(rock.state_on(phase.on.normal));
     return NextPhase{phase};  // a new stretch, which counts as a step
   }
   if (barriers.guide) {
@@ -274,12 +274,12 @@ requires GroundPhase<Current, Surface>
 
 // ---- shared by phases ----
 
-/// Moves the rock to the end of a leg, and logs it.
-template <class Surface>
-void move_to_end(MovingRock<Surface>& rock, FacetId facet, const Leg& leg, const LegEnd& end) {
+/// Moves the rock to the end of a leg.
+template <class Surface, class Sink>
+void move_to_end(TrackedRock<Surface, Sink>& rock, FacetId facet, const Leg& leg, const LegEnd& end) {
   const Motion before = rock.motion;
   move_along(rock, leg, end.t, end.edge ? end.edge->inward : Vec3{});
-  rock.log_leg(facet, leg.path, end.t, before, rock.motion);
+  rock.cover_leg(facet, leg.path, end.t, before, rock.motion);
   rock.update_max_energy();
 }
 

@@ -167,8 +167,8 @@ template <class Surface>
 }
 
 /// The phase of a rock that has reached the end of its valley's facets. Both planes may continue, or one of them.
-template <class Surface>
-[[nodiscard]] Phase leave_valley(MovingRock<Surface>& rock, const InValley& phase) {
+template <class Surface, class Sink>
+[[nodiscard]] Phase leave_valley(TrackedRock<Surface, Sink>& rock, const InValley& phase) {
   const AheadInValley ahead = look_along_valley(rock, phase);
   if (ahead.on && ahead.other) return continue_along(rock, phase, *ahead.on, *ahead.other);
   if (ahead.on || ahead.other) {
@@ -195,8 +195,8 @@ template <class Surface>
   return take_off(rock, phase, planes_left(rock, phase));
 }
 
-template <class Surface>
-[[nodiscard]] std::optional<NextPhase> finish_leg(MovingRock<Surface>& rock, InValley& phase, const Leg& leg,
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<NextPhase> finish_leg(TrackedRock<Surface, Sink>& rock, InValley& phase, const Leg& leg,
                                                   const LegEnd& end) {
   move_to_end(rock, phase.on.facet, leg, end);
   if (end.rim) return NextPhase{leave_over_rim(rock, *end.rim)};

@@ -1,6 +1,6 @@
 #pragma once
-// A rock in its scene: its state (rock_state.hpp), what it moves through, what it has computed once for many legs, and
-// its log. Private to trajectory/.
+// A rock in its scene: its state (rock_state.hpp), what it moves through, and what it has computed once for many legs.
+// Private to trajectory/.
 
 #include <algorithm>
 #include <cmath>
@@ -30,13 +30,12 @@ struct ClearWay {
 template <TerrainSurface Surface>
 class MovingRock : public RockState {
  public:
-  MovingRock(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& rock_log)
+  MovingRock(const Scene<Surface>& scene, const Release& release, const Draws& draws)
       : surface(scene.surface),
         ground(scene.ground),
         barriers(scene.barriers),
         laws(scene.laws),
         impact_law(scene.laws.impact),
-        log(rock_log),
         rock(release.rock),
         reach(reach_of(scene.laws.model, release.rock)),
         leaving_speed(std::max(laws.normal_velocity_cutoff, std::sqrt(2 * laws.gravity.norm() * contact_slack))),
@@ -53,7 +52,6 @@ class MovingRock : public RockState {
   const BarrierList barriers;
   const Laws& laws;
   const ImpactLaw impact_law;
-  RockLog& log;
   const Rock rock;
   const double reach;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass [m]
   // A rock that leaves an impact with a smaller normal velocity stays on the ground [m/s]. Without a cutoff in the
@@ -144,25 +142,10 @@ class MovingRock : public RockState {
     return exit.t <= tolerance::at_once && !exit.beneath ? std::optional(exit) : std::nullopt;
   }
 
-  // ---- its log ----
+  // ---- its maxima ----
   void update_max_energy() { outcome.max_kinetic_energy = std::max(outcome.max_kinetic_energy, kinetic_energy()); }
-  void log_row(PathState state) { log.row(state, motion); }
-  /// An arrival at the ground or a barrier: the moments at which a rock is fastest.
-  void arrive(PathState state) {
-    ++outcome.events;
-    update_max_energy();
-    log_row(state);
-  }
-  /// The rock arrives; RockLog::rebound completes the impact.
-  void log_impact(const Contact& contact, const Vec3& struck_normal) {
-    if (!log.keeps_impacts()) return;
-    log.impacts.push_back(
-        {motion, motion, contact.normal, struck_normal, surface.source(contact.facet), material_at(contact.facet)});
-  }
-  /// The first `t` of a leg, from `before` to `arrived`, on a facet or one of its edges or vertices.
-  void log_leg(FacetId facet, const Parabola& leg, double t, const Motion& before, const Motion& arrived) {
-    if (has_bumps) cover(facet, arc_length(leg, t));
-    log.leg(leg, t, before, arrived, facet);
+  /// In the first `t` of a leg on a facet or one of its edges or vertices.
+  void update_max_height(FacetId facet, const Parabola& leg, double t) {
     if (reach == 0) return;
     max_height = max_height_of_leg(surface, outline_of(facet), leg, t, 0, t, max_height);
   }
@@ -185,26 +168,11 @@ template <class Surface, class Current>
   return {phase.friction, rock.material_at(phase.on.facet)};
 }
 
-/// The ground falls away, or ends. The path has two rows for it: the rock arrives here and leaves in flight.
-template <class Surface, class GroundPhase>
-[[nodiscard]] Phase take_off(MovingRock<Surface>& rock, const GroundPhase& from, const SupportPlanes& left = {}) {
-  rock.arrive(PathState::impact);
-  rock.log_row(PathState::projectile);
-  return Flying{left, ground_so_far(rock, from)};
-}
-
 template <class Surface>
 [[nodiscard]] Phase come_to_rest(MovingRock<Surface>& rock) {
   rock.motion.velocity = {};
   if (rock.is_sphere()) rock.motion.spin = {};  // a lumped mass keeps its spin, as in RocFall
   return Ended{EndReason::at_rest};
-}
-
-template <class Surface>
-[[nodiscard]] Phase leave_over_rim(MovingRock<Surface>& rock, const Exit& exit) {
-  rock.arrive(PathState::impact);
-  rock.log_row(PathState::projectile);
-  return Ended{reason_of(exit)};
 }
 
 }  // namespace talus

@@ -96,8 +96,8 @@ template <class Surface>
   return normal_acceleration_on_edge(rock, on) >= 0 ? OverEdge::on_edge : OverEdge::in_air;
 }
 
-template <class Surface>
-[[nodiscard]] std::optional<NextPhase> finish_leg(MovingRock<Surface>& rock, OnEdge& phase, Leg leg,
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<NextPhase> finish_leg(TrackedRock<Surface, Sink>& rock, OnEdge& phase, Leg leg,
                                                   const LegEnd& end) {
   const double t = end.t;
   if (end.rim || end.ahead) {
@@ -109,9 +109,9 @@ template <class Surface>
   const Motion before = rock.motion;
   move_along(rock, leg, t, Vec3{});
   const OverEdge place = settle_over_edge(rock, phase);
-  // The logged path is bent so that it ends where the sphere is.
+  // The path is bent so that it ends where the sphere is.
   if (t > 0) leg.path.a = 2 / (t * t) * (rock.motion.position - leg.path.p - t * leg.path.v);
-  rock.log_leg(phase.on.facet, leg.path, t, before, rock.motion);
+  rock.cover_leg(phase.on.facet, leg.path, t, before, rock.motion);
   rock.update_max_energy();
   if (place == OverEdge::in_air) return NextPhase{take_off(rock, phase)};
   if (place == OverEdge::on_edge) return std::nullopt;

@@ -106,9 +106,9 @@ void remove_drift(MovingRock<Surface>& rock, const OnFacet& phase) {
 }
 
 /// The next facet continues the rock's own, or is only grazed: the rock moves on over it.
-template <class Surface>
-[[nodiscard]] OnFacet continue_over(MovingRock<Surface>& rock, const Support& from, const GroundFriction& friction,
-                                    const Support& next) {
+template <class Surface, class Sink>
+[[nodiscard]] OnFacet continue_over(TrackedRock<Surface, Sink>& rock, const Support& from,
+                                    const GroundFriction& friction, const Support& next) {
   OnFacet phase{next, friction, {}};
   if (rock.reach > 0) phase.side_contact = LeftFacet{from.normal};
   if (rock.material_at(from.facet) != rock.material_at(next.facet)) phase.friction = friction_at(rock, next.facet);
@@ -116,7 +116,7 @@ template <class Surface>
     rock.motion.velocity = tangential(rock.motion.velocity, next.normal);
   } else {
     rock.round_bend(next.normal, phase.friction);
-    rock.log_row(rock.state_on(next.normal));
+    rock.tell(event::Bend{rock.motion, rock.state_on(next.normal)});
   }
   return phase;
 }
@@ -146,8 +146,8 @@ template <class Surface>
 }
 
 /// The phase of a rock that has reached the end of its plane.
-template <class Surface>
-[[nodiscard]] Phase leave_facet(MovingRock<Surface>& rock, const OnFacet& phase, const OutlineEdge& edge) {
+template <class Surface, class Sink>
+[[nodiscard]] Phase leave_facet(TrackedRock<Surface, Sink>& rock, const OnFacet& phase, const OutlineEdge& edge) {
   if (const auto exit = exit_at(rock, edge)) return leave_over_rim(rock, *exit);
   if (edge.beyond) {
     const Support next{rock.outline_of(*edge.beyond).normal, *edge.beyond};
@@ -177,8 +177,8 @@ template <class Surface>
   return take_off(rock, phase, planes_left(phase));
 }
 
-template <class Surface>
-[[nodiscard]] std::optional<NextPhase> finish_leg(MovingRock<Surface>& rock, OnFacet& phase, const Leg& leg,
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<NextPhase> finish_leg(TrackedRock<Surface, Sink>& rock, OnFacet& phase, const Leg& leg,
                                                   const LegEnd& end) {
   move_to_end(rock, phase.on.facet, leg, end);
   if (end.rim) return NextPhase{leave_over_rim(rock, *end.rim)};

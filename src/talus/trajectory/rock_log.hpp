@@ -2,15 +2,15 @@
 // The record of a trajectory while it is computed. A log is reused for rock after rock, and does not allocate once its
 // lists have grown.
 
-#include <cstdint>
+#include <utility>
 #include <vector>
 
-#include "talus/barriers/passage.hpp"
 #include "talus/core/id.hpp"
 #include "talus/flight/drag.hpp"
 #include "talus/flight/parabola.hpp"
 #include "talus/rocks/motion.hpp"
 #include "talus/sliding/glide.hpp"
+#include "talus/trajectory/event.hpp"
 
 namespace talus {
 
@@ -68,15 +68,6 @@ struct PathPiece {
   }
 };
 
-/// A rock strikes the ground.
-struct Impact {
-  Motion before, after;        // of its centre, with the velocity and spin before and after the impact law
-  Vec3 normal, struck_normal;  // unit, out of the ground: of the facet (or from the edge or vertex to the centre), and
-                               // with the tilt of the roughness
-  std::uint32_t source = 0;    // the part of the terrain, as the surface's source() numbers it
-  MaterialId ground;
-};
-
 /// How far a rock has come, straight from end to end of each flight, each leg, and each glide over a facet [m].
 struct RockWays {
   double flown = 0;
@@ -89,58 +80,58 @@ class RockLog {
 
   void keep_rows(bool keep) { keep_rows_ = keep; }
   void keep_impacts(bool keep) { keep_impacts_ = keep; }
-  [[nodiscard]] bool keeps_impacts() const { return keep_impacts_; }
   void keep_pieces(bool keep) { keep_pieces_ = keep; }
-  [[nodiscard]] bool keeps_pieces() const { return keep_pieces_; }
   void clear() {
     rows.clear();
     turns.clear();
     pieces.clear();
     glide_steps.clear();
+    first_step_ = 0;
     impact_places.clear();
     impacts.clear();
     hits.clear();
     passed_above.clear();
     ways = {};
   }
-  void row(PathState state, const Motion& motion) {
-    if (keep_rows_) rows.push_back({state, motion});
-  }
-  /// A rock that slid uphill stands still before it slides back: not a row of the path, but shown in pictures of it.
-  void turn(const Motion& motion) {
-    if (keep_rows_) turns.push_back(motion);
-  }
-  /// A flight that starts with `motion` and covers `duration` of `path`.
-  void flight(const Parabola& path, double duration, const Motion& motion, const LinearDrag& drag = {}) {
+
+  // ---- what happens to the rock ----
+  void operator()(const event::Release& release) { row(PathState::projectile, release.motion); }
+  void operator()(const event::Flight& flight) {
+    const auto& [before, path, duration, drag] = flight;
     ways.flown += (path.at(duration) - path.p).norm();
-    if (keep_pieces_) pieces.push_back({path, duration, motion.time, motion.spin, false, {}, drag, {}, {}});
+    if (keep_pieces_) pieces.push_back({path, duration, before.time, before.spin, false, {}, drag, {}, {}});
   }
-  /// A leg along the ground, from `motion` to `then` in `duration` along `path`, on `facet`.
-  void leg(const Parabola& path, double duration, const Motion& motion, const Motion& then, FacetId facet) {
+  void operator()(const event::Leg& leg) {
+    const auto& [before, after, path, duration, facet] = leg;
     ways.on_ground += (path.at(duration) - path.p).norm();
     if (!keep_pieces_) return;
     pieces.push_back(
-        {path, duration, motion.time, motion.spin, true, facet, {}, {}, {motion.velocity, then.velocity, then.spin}});
+        {path, duration, before.time, before.spin, true, facet, {}, {}, {before.velocity, after.velocity, after.spin}});
   }
-  /// A piece of no duration on the ground: the motion right after an impact, part of which the ground takes away.
-  void moment(const Motion& motion, FacetId facet) { leg({motion.position, Vec3{}, Vec3{}}, 0, motion, motion, facet); }
-  /// A glide that starts with `motion` and leads `way` far: the steps of the list from `first` to its end.
-  void glide(const Motion& motion, double way, std::size_t first, double timestep, const Vec3& down, const Vec3& aside,
-             FacetId facet) {
-    ways.on_ground += way;
-    const std::size_t count = glide_steps.size() - first;
-    if (!keep_pieces_ || count == 0) return;
-    const auto velocity = [&](const GlideStep& step) { return step.vx * down + step.vy * aside; };
-    pieces.push_back({{motion.position, velocity(glide_steps[first]), Vec3{}},
-                      static_cast<double>(count) * timestep,
-                      motion.time,
-                      motion.spin,
-                      true,
-                      facet,
-                      {},
-                      {first, count, timestep, down, aside},
-                      {motion.velocity, velocity(glide_steps.back()), motion.spin}});
+  void operator()(const event::Glide& glide);
+  void operator()(const event::Turn& turn) {
+    if (keep_rows_) turns.push_back(turn.motion);
   }
+  void operator()(const event::Contact& contact) {
+    row(PathState::impact, contact.before);
+    row(contact.then, contact.after);
+    if (contact.impact == nullptr) return;
+    if (keep_pieces_) impact_places.push_back(contact.impact->before.position);
+    if (keep_impacts_) impacts.push_back(*contact.impact);
+  }
+  void operator()(const event::Bend& bend) { row(bend.then, bend.after); }
+  void operator()(const event::AtBarrier& at) {
+    hits.push_back(at.passage);
+    row(PathState::barrier, at.passage.motion);
+    if (at.after != nullptr) row(at.then, *at.after);
+  }
+  void operator()(const event::AtCollector& at) { hits.push_back(at.passage); }
+  void operator()(const event::PassedAbove& above) { passed_above.push_back(above.passage); }
+  void operator()(const event::NotPassedAbove& not_above) { take_back(passed_above, not_above.barrier); }
+  void operator()(const event::End& end) { row(PathState::ended, end.motion); }
+  /// The list that receives the steps of glides; null if they are not kept.
+  [[nodiscard]] std::vector<GlideStep>* glide_trace() { return keep_pieces_ ? &glide_steps : nullptr; }
+
   /// One step of a glide as a piece.
   [[nodiscard]] PathPiece step_of(const PathPiece& glide, std::size_t number) const {
     const auto& [first, count, timestep, down, aside] = glide.steps;
@@ -175,18 +166,8 @@ class RockLog {
       }
     }
   }
-  /// The rock strikes the ground; `position` of its centre.
-  void impact_place(const Vec3& position) {
-    if (keep_pieces_) impact_places.push_back(position);
-  }
-
-  /// Completes the last impact.
-  void rebound(const Motion& motion) {
-    if (keep_impacts_) impacts.back().after = motion;
-  }
-
   std::vector<PathRow> rows;
-  std::vector<Motion> turns;
+  std::vector<Motion> turns;      // not rows of the path, but shown in pictures of it
   std::vector<PathPiece> pieces;  // like glide_steps and impact_places: only if requested
   std::vector<GlideStep> glide_steps;
   std::vector<Vec3> impact_places;
@@ -196,7 +177,29 @@ class RockLog {
   RockWays ways;
 
  private:
+  void row(PathState state, const Motion& motion) {
+    if (keep_rows_) rows.push_back({state, motion});
+  }
+
   bool keep_rows_, keep_pieces_, keep_impacts_ = false;
+  std::size_t first_step_ = 0;  // of the next glide
 };
+
+inline void RockLog::operator()(const event::Glide& glide) {
+  ways.on_ground += glide.way;
+  const std::size_t first = std::exchange(first_step_, glide_steps.size()), count = glide_steps.size() - first;
+  if (!keep_pieces_ || count == 0) return;
+  const auto velocity = [&](const GlideStep& step) { return step.vx * glide.down + step.vy * glide.aside; };
+  const Motion& before = glide.before;
+  pieces.push_back({{before.position, velocity(glide_steps[first]), Vec3{}},
+                    static_cast<double>(count) * glide.timestep,
+                    before.time,
+                    before.spin,
+                    true,
+                    glide.facet,
+                    {},
+                    {first, count, glide.timestep, glide.down, glide.aside},
+                    {before.velocity, velocity(glide_steps.back()), before.spin}});
+}
 
 }  // namespace talus

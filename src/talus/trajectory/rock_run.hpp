@@ -16,14 +16,16 @@
 
 namespace talus {
 
-template <TerrainSurface Surface>
+/// `Sink`: is told what happens to the rock (event.hpp). One that keeps the steps of glides has a function
+/// glide_trace(), which returns the list that receives them, or null.
+template <TerrainSurface Surface, class Sink = RockLog>
 class RockRun {
  public:
-  RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, RockLog& log)
-      : rock_(scene, release, draws, log), has_room_(release.has_room) {}
+  RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, Sink& sink)
+      : rock_(scene, release, draws, sink), has_room_(release.has_room) {}
   /// Goes on from a state of the same rock.
-  RockRun(const Scene<Surface>& scene, const Rock& rock, const RockState& from, const Draws& draws, RockLog& log)
-      : rock_(scene, {from.motion, rock}, draws, log), has_room_(true), is_released_(true) {
+  RockRun(const Scene<Surface>& scene, const Rock& rock, const RockState& from, const Draws& draws, Sink& sink)
+      : rock_(scene, {from.motion, rock}, draws, sink), has_room_(true), is_released_(true) {
     static_cast<RockState&>(rock_) = from;
   }
 
@@ -41,9 +43,10 @@ class RockRun {
   [[nodiscard]] Glide& glide() { return glide_->glide; }
   /// Takes one step of the glide; false if the glide has ended.
   bool step_glide();
-  /// The list that receives the steps of the glide; null if the log keeps none.
+  /// The list that receives the steps of the glide; null if the sink keeps none.
   [[nodiscard]] std::vector<GlideStep>* glide_trace() {
-    return rock_.log.keeps_pieces() ? &rock_.log.glide_steps : nullptr;
+    if constexpr (requires { rock_.sink.glide_trace(); }) return rock_.sink.glide_trace();
+    return nullptr;
   }
   [[nodiscard]] static GlideLaws glide_laws(const Laws& laws) {
     return {laws.timestep, laws.stopped_velocity, laws.max_time};
@@ -62,14 +65,14 @@ class RockRun {
   bool begin_glide();
   [[nodiscard]] bool has_ended() const { return std::holds_alternative<Ended>(rock_.phase); }
 
-  MovingRock<Surface> rock_;
+  TrackedRock<Surface, Sink> rock_;
   std::optional<GlideOnFacet> glide_;  // while the run pauses in one
   bool has_room_, is_released_ = false;
 };
 
 /// The life of a rock: from one phase to the next until it ends.
-template <TerrainSurface Surface>
-auto RockRun<Surface>::advance(const StopScope* stop) -> Pause {
+template <TerrainSurface Surface, class Sink>
+auto RockRun<Surface, Sink>::advance(const StopScope* stop) -> Pause {
   constexpr unsigned stop_interval = 64;  // flights and legs between two looks at `stop`: well below a millisecond
   if (!std::exchange(is_released_, true)) {
     release();
@@ -88,10 +91,10 @@ auto RockRun<Surface>::advance(const StopScope* stop) -> Pause {
 }
 
 /// One flight, or one leg along the ground, and the phase after it. A phase that is not handled here does not compile.
-template <TerrainSurface Surface>
-void RockRun<Surface>::proceed() {
+template <TerrainSurface Surface, class Sink>
+void RockRun<Surface, Sink>::proceed() {
   struct Transition {
-    MovingRock<Surface>& rock;
+    TrackedRock<Surface, Sink>& rock;
     std::optional<NextPhase> operator()(const Flying& phase) const {
       return NextPhase{rock.has_forest ? fly_with_forests(rock, phase) : fly(rock, phase)};
     }
@@ -111,18 +114,18 @@ void RockRun<Surface>::proceed() {
 }
 
 /// A rock that does not fit between floor and ceiling where it is released rests there.
-template <TerrainSurface Surface>
-void RockRun<Surface>::release() {
+template <TerrainSurface Surface, class Sink>
+void RockRun<Surface, Sink>::release() {
   rock_.outcome.start = rock_.motion;
   rock_.outcome.max_kinetic_energy = rock_.kinetic_energy();
-  rock_.log_row(PathState::projectile);
+  rock_.tell(event::Release{rock_.motion});
   enter(has_room_ ? Phase(Flying{}) : Ended{EndReason::at_rest});
 }
 
 /// A flight or a stretch along the ground begins, which counts as a step: the limit of steps, and rocks that do not
 /// move on, are checked here.
-template <TerrainSurface Surface>
-void RockRun<Surface>::enter(Phase phase) {
+template <TerrainSurface Surface, class Sink>
+void RockRun<Surface, Sink>::enter(Phase phase) {
   rock_.phase = std::move(phase);
   rock_.stretch = {};
   if (has_ended()) return;
@@ -135,8 +138,8 @@ void RockRun<Surface>::enter(Phase phase) {
 
 /// Legs of about a timestep are limited by the maximum time of a rock. A hundred shorter ones count as a step, so that
 /// legs of no duration also reach a limit.
-template <TerrainSurface Surface>
-void RockRun<Surface>::count_short_leg(double start) {
+template <TerrainSurface Surface, class Sink>
+void RockRun<Surface, Sink>::count_short_leg(double start) {
   constexpr std::int64_t legs_per_step = 100;
   if (rock_.motion.time - start < 0.5 * rock_.laws.timestep && ++rock_.short_legs % legs_per_step == 0 &&
       rock_.steps++ >= rock_.laws.max_steps) {
@@ -144,8 +147,8 @@ void RockRun<Surface>::count_short_leg(double start) {
   }
 }
 
-template <TerrainSurface Surface>
-void RockRun<Surface>::end() {
+template <TerrainSurface Surface, class Sink>
+void RockRun<Surface, Sink>::end() {
   rock_.outcome.reason = std::get<Ended>(rock_.phase).reason;
   rock_.update_max_energy();
   rock_.outcome.max_bounce = lowest_point(rock_.max_height, rock_.reach);
@@ -154,19 +157,19 @@ void RockRun<Surface>::end() {
     if (const auto below = rock_.surface.ground_below(rock_.motion.position))
       rock_.outcome.ground = rock_.material_at(below->facet);
   }
-  rock_.log_row(PathState::ended);
+  rock_.tell(event::End{rock_.motion});
 }
 
-template <TerrainSurface Surface>
-bool RockRun<Surface>::begin_glide() {
+template <TerrainSurface Surface, class Sink>
+bool RockRun<Surface, Sink>::begin_glide() {
   const auto* facet = std::get_if<OnFacet>(&rock_.phase);
   if (facet == nullptr) return false;
   glide_ = prepare_glide(rock_, *facet);
   return glide_.has_value();
 }
 
-template <TerrainSurface Surface>
-bool RockRun<Surface>::step_glide() {
+template <TerrainSurface Surface, class Sink>
+bool RockRun<Surface, Sink>::step_glide() {
   const GlideLaws laws = glide_laws(rock_.laws);
   Glide& glide = glide_->glide;
   if (!try_step(laws, glide)) return false;
@@ -174,8 +177,8 @@ bool RockRun<Surface>::step_glide() {
   return true;
 }
 
-template <TerrainSurface Surface>
-RockOutcome RockRun<Surface>::follow() {
+template <TerrainSurface Surface, class Sink>
+RockOutcome RockRun<Surface, Sink>::follow() {
   while (advance() == Pause::gliding) {
     while (step_glide()) {
     }

@@ -54,8 +54,9 @@ template <class Surface>
 
 /// The phase of a rock that stays on the ground after an impact: on a facet or an edge or, if it goes back and forth
 /// between two supports, in the valley between them.
-template <class Surface>
-[[nodiscard]] Phase stay_on_ground(MovingRock<Surface>& rock, const Contact& contact, const GroundFriction& friction) {
+template <class Surface, class Sink>
+[[nodiscard]] Phase stay_on_ground(TrackedRock<Surface, Sink>& rock, const Contact& contact,
+                                   const GroundFriction& friction) {
   const Support on{contact.normal, contact.facet};
   const bool is_on_facet = contact.feature == Feature::facet;
   const LastContact before = rock.last_contact;
@@ -80,12 +81,14 @@ template <class Surface>
   // and A-1, row 14). The tangential velocity, with which the slide begins, agrees.
   const Vec3 along = tangential(rock.motion.velocity, n);
   if (!rock.is_sphere() && rock.laws.sliding == SlidingMethod::stepped) {
-    rock.log_row(PathState::sliding);
-    rock.log.moment(rock.motion, on.facet);
+    rock.leave(PathState::sliding);
+    // The ground takes a part of the motion right after the impact.
+    const Motion& motion = rock.motion;
+    rock.tell(event::Leg{motion, motion, {motion.position, Vec3{}, Vec3{}}, 0, on.facet});
     rock.motion.velocity = along;
   } else {
     rock.motion.velocity = along;
-    rock.log_row(rock.state_on(n));
+    rock.leave(rock.state_on(n));
   }
   if (valley) {
     valley->friction = shared_friction(rock, friction, *valley);
@@ -104,25 +107,24 @@ template <class Surface>
 }
 
 /// The rock moves on along ground that it grazes.
-template <class Surface>
-[[nodiscard]] Phase move_on(MovingRock<Surface>& rock, const Contact& contact, GroundSoFar ground) {
+template <class Surface, class Sink>
+[[nodiscard]] Phase move_on(TrackedRock<Surface, Sink>& rock, const Contact& contact, GroundSoFar ground) {
   if (rock.material_at(contact.facet) != ground.material) {
     ground = {friction_at(rock, contact.facet), rock.material_at(contact.facet)};
   }
   rock.round_bend(contact.normal, ground.friction);
   if (is_pressed_on(rock, contact)) return stay_on_ground(rock, contact, ground.friction);
   rock.remember_contact({contact.normal, contact.facet});
-  rock.log_row(PathState::projectile);
+  rock.leave(PathState::projectile);
   return Flying{{}, ground};
 }
 
 /// The impact on a face of normal `n` of the ground that the rock touches, and its phase afterwards.
-template <class Surface>
-[[nodiscard]] Phase rebound_from(MovingRock<Surface>& rock, const Contact& contact, const Vec3& n,
+template <class Surface, class Sink>
+[[nodiscard]] Phase rebound_from(TrackedRock<Surface, Sink>& rock, const Contact& contact, const Vec3& n,
                                  const Material& material, const GroundDraw& draw) {
   Motion& motion = rock.motion;
-  rock.log.impact_place(motion.position);
-  rock.log_impact(contact, n);
+  const Motion before = motion;
   double rt = 0;
   const auto draw_restitution = [&] {
     const auto [rn, tangential] = draw.restitution(material);
@@ -137,23 +139,24 @@ template <class Surface>
       [&](const auto& law) { return law.rebound(approach, draw_restitution, draw_friction); }, rock.impact_law);
   motion.velocity = kept_outside(rebound.velocity, contact.normal);
   motion.spin = rebound.spin;
-  rock.log.rebound(motion);
+  rock.note_impact(
+      {before, motion, contact.normal, n, rock.surface.source(contact.facet), rock.material_at(contact.facet)});
   rock.update_max_energy();
 
   const bool leaves = motion.velocity.dot(contact.normal) >= rock.leaving_speed;
   if (leaves || !is_pressed_on(rock, contact)) {
     rock.remember_contact({contact.normal, contact.facet});
-    rock.log_row(PathState::projectile);
+    rock.leave(PathState::projectile);
     return Flying{};
   }
   return stay_on_ground(rock, contact, friction_of(rock, draw, material, rt));
 }
 
 /// The rock meets ground: an impact, unless it moved along the ground before, and grazes this.
-template <class Surface>
-[[nodiscard]] Phase strike(MovingRock<Surface>& rock, const Contact& contact,
+template <class Surface, class Sink>
+[[nodiscard]] Phase strike(TrackedRock<Surface, Sink>& rock, const Contact& contact,
                            const std::optional<GroundSoFar>& before = {}) {
-  rock.arrive(PathState::impact);
+  rock.arrive();
   if (before && rock.grazes(contact.normal)) return move_on(rock, contact, *before);
   const Material& material = rock.ground[rock.material_at(contact.facet)];
   const std::uint32_t number = rock.contacts;
@@ -164,15 +167,15 @@ template <class Surface>
 
 /// The rock comes to a bump of the ground that it moves along: an impact on a face that rises against it. nullopt if it
 /// strikes none.
-template <class Surface>
-[[nodiscard]] std::optional<Phase> strike_bump(MovingRock<Surface>& rock, const Contact& contact) {
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<Phase> strike_bump(TrackedRock<Surface, Sink>& rock, const Contact& contact) {
   rock.pass_bump();
   const Material& material = rock.ground[rock.material_at(contact.facet)];
   const std::uint32_t number = rock.contacts;
   const GroundDraw draw = rock.draw_at(contact.facet);
   const auto n = struck_face(rock, contact.normal, material, draw, number);
   if (!n) return std::nullopt;
-  rock.arrive(PathState::impact);
+  rock.arrive();
   return rebound_from(rock, contact, *n, material, draw);
 }
 
