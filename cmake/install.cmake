@@ -44,6 +44,9 @@ install(DIRECTORY qgis/talus_provider DESTINATION ${CMAKE_INSTALL_DATADIR}/qgis/
   PATTERN __pycache__ EXCLUDE)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Talus)
+get_target_property(TALUS_KERNEL talus_trajectory LINK_LIBRARIES)  # the rooms below it, and talus_flags
+list(TRANSFORM TALUS_KERNEL REPLACE "^talus_" "")
+list(APPEND TALUS_KERNEL trajectory)
 install(EXPORT Talus NAMESPACE Talus:: FILE TalusTargets.cmake DESTINATION ${package} COMPONENT development)
 configure_package_config_file(cmake/TalusConfig.cmake.in ${CMAKE_BINARY_DIR}/generated/TalusConfig.cmake
   INSTALL_DESTINATION ${package})
