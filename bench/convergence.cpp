@@ -14,6 +14,7 @@
 
 #include "common.hpp"
 #include "convergence_terrain.hpp"
+#include "talus/rocks/energy.hpp"
 
 using namespace talus;
 
@@ -64,8 +65,7 @@ class Arrivals : public Observer {
         const Passage& hit = log.hits.front();
         const Rock& body = record.body;
         rock.reaches = true;
-        rock.energy =
-            0.5 * body.mass * hit.motion.velocity.squared_norm() + 0.5 * body.inertia * hit.motion.spin.squared_norm();
+        rock.energy = kinetic_energy(body, hit.motion);
         rock.height = hit.height;
       }
       rocks.push_back(rock);

@@ -11,6 +11,7 @@
 #include "talus/archive/result_tables.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/campaign/thread_supply.hpp"
+#include "talus/rocks/energy.hpp"
 #include "talus/rocks/heights.hpp"
 
 namespace talus::cli {
@@ -26,7 +27,7 @@ struct ReplayOptions {
 void print_row(const TableContext& context, const RockRecord& record, const char* state, const Motion& motion) {
   const Vec3 p = context.frame.global_from_local(motion.position);
   const Vec3 &v = motion.velocity, &w = motion.spin;
-  const double kinetic = 0.5 * record.body.mass * v.squared_norm() + 0.5 * record.body.inertia * w.squared_norm();
+  const double kinetic = kinetic_energy(record.body, motion);
   const double potential = record.body.mass * context.gravity * (p.z() - context.energy_datum);
   fmt::print(
       "{:<11}{:>10.5f}{:>14.5f}{:>14.5f}{:>14.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>11.5f}{:>12.3f}{:>12."

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "talus/impact/plain.hpp"
+#include "talus/rocks/energy.hpp"
 
 namespace talus {
 
@@ -123,8 +124,7 @@ double free_way(const BarrierList& barriers, const Vec3& p, double radius) {
 BarrierResponse respond(const Barrier& barrier, const Motion& motion, const Vec3& normal, const Rock& rock) {
   const Rebound as_it_came{motion.velocity, motion.spin};
   if (barrier.is_collector) return {BarrierOutcome::passed, as_it_came};
-  const double energy =
-      0.5 * rock.mass * motion.velocity.squared_norm() + 0.5 * rock.inertia * motion.spin.squared_norm();
+  const double energy = kinetic_energy(rock, motion);
   if (energy > barrier.capacity) {
     const double kept = std::sqrt(1 - barrier.capacity / energy);
     return {BarrierOutcome::broke_through, Rebound{kept * motion.velocity, kept * motion.spin}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "talus/rocks/energy.hpp"
 #include "talus/rocks/heights.hpp"
 
 namespace talus {
@@ -25,7 +26,7 @@ std::uint32_t first_sufficient(const std::vector<double>& ascending, double need
 LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const Rock& rock, const Passage& crossing) {
   const double velocity = crossing.motion.velocity.norm();
   const double translational = 0.5 * rock.mass * velocity * velocity;
-  const double total = translational + 0.5 * rock.inertia * crossing.motion.spin.squared_norm();
+  const double total = translational + rotational_energy(rock, crossing.motion);
   const double energy = energy_to_check(plan.factors, translational, total, velocity);
   constexpr double by_rounding = 1e-6;  // lowest point of a rock that rolls on the ground [m]
   const double lowest = crossing.lowest > by_rounding ? crossing.lowest : 0;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "talus/results/ensemble.hpp"
+#include "talus/rocks/energy.hpp"
 
 namespace talus {
 
@@ -153,7 +154,7 @@ class MapObserver::Part : public ObserverPart {
 
   /// Most steps of a glide, of a few centimetres each, stay in the cell: only the fastest of them counts.
   void glide(const RockLog& log, const PathPiece& piece, const Rock& rock) {
-    const double rotational = 0.5 * rock.inertia * piece.spin.squared_norm();
+    const double rotational = rotational_energy(rock, piece.spin);
     const auto steps = std::span(log.glide_steps).subspan(piece.steps.first, piece.steps.count);
     const GlideOnPlan plan(piece);
     MapGrid::Borders cell = grid_.borders(cell_);

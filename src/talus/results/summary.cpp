@@ -11,6 +11,8 @@
 #include <type_traits>
 #include <unordered_map>
 
+#include "talus/rocks/energy.hpp"
+
 namespace talus {
 
 Runout runout(const RockOutcome& outcome, const RunoutFrame& frame) {
@@ -221,7 +223,7 @@ class SummaryPart : public ObserverPart {
       const double speed = hit.motion.velocity.norm();
       const double translational = 0.5 * record.body.mass * speed * speed;
       tally.translational_energy.add(translational);
-      tally.total_energy.add(translational + 0.5 * record.body.inertia * hit.motion.spin.squared_norm());
+      tally.total_energy.add(translational + rotational_energy(record.body, hit.motion));
       tally.height.add(hit.height);
       tally.velocity.add(speed);
       ++tally.outcomes[static_cast<std::size_t>(hit.outcome)];

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "talus/rocks/energy.hpp"
 #include "talus/store/varint.hpp"
 
 namespace talus {
@@ -10,10 +11,8 @@ namespace {
 
 /// Expects a motion with which a rock could be in a run.
 void expect_possible(const Motion& motion, const Rock& body) {
-  const double energy =
-      0.5 * body.mass * motion.velocity.squared_norm() + 0.5 * body.inertia * motion.spin.squared_norm();
   expect_bytes(motion.position.abs().largest() <= largest_number && std::abs(motion.time) <= largest_number &&
-                   energy <= largest_number,
+                   kinetic_energy(body, motion) <= largest_number,
                "a motion is beyond any run");
 }
 

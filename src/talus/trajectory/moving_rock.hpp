@@ -11,6 +11,7 @@
 #include "talus/core/tolerances.hpp"
 #include "talus/flight/arc_length.hpp"
 #include "talus/impact/law.hpp"
+#include "talus/rocks/energy.hpp"
 #include "talus/sliding/bend.hpp"
 #include "talus/terrain/surface.hpp"
 #include "talus/trajectory/kept_outlines.hpp"
@@ -64,9 +65,7 @@ class MovingRock : public RockState {
   ClearWay clear;
 
   [[nodiscard]] bool is_sphere() const { return laws.model == RockModel::rigid_sphere; }
-  [[nodiscard]] double kinetic_energy() const {
-    return 0.5 * rock.mass * motion.velocity.squared_norm() + 0.5 * rock.inertia * motion.spin.squared_norm();
-  }
+  [[nodiscard]] double kinetic_energy() const { return talus::kinetic_energy(rock, motion); }
   /// Whether it is caught, and slower than a rock that may stop.
   [[nodiscard]] bool is_wedged() const {
     return progress.is_wedged() && motion.velocity.norm() < laws.stopped_velocity;

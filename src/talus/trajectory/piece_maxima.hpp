@@ -13,7 +13,7 @@
 #include <optional>
 #include <span>
 
-#include "talus/rocks/rock.hpp"
+#include "talus/rocks/energy.hpp"
 #include "talus/terrain/contact.hpp"
 #include "talus/trajectory/rock_log.hpp"
 
@@ -29,13 +29,13 @@ struct MaxMotion {
 /// convex, with their maximum at an end. A glide must be passed step by step.
 [[nodiscard]] inline MaxMotion max_motion(const PathPiece& piece, const Rock& rock, double from, double to) {
   const double start = piece.velocity(from).squared_norm(), end = piece.velocity(to).squared_norm();
-  const double largest = std::max(start, end), half_mass = 0.5 * rock.mass, half_inertia = 0.5 * rock.inertia;
+  const double largest = std::max(start, end), half_mass = 0.5 * rock.mass;
   if (!piece.on_ground) {
-    return {largest, half_mass * largest, half_mass * largest + half_inertia * piece.spin.squared_norm()};
+    return {largest, half_mass * largest, half_mass * largest + rotational_energy(rock, piece.spin)};
   }
   return {largest, half_mass * largest,
-          std::max(half_mass * start + half_inertia * piece.spin_at(from).squared_norm(),
-                   half_mass * end + half_inertia * piece.spin_at(to).squared_norm())};
+          std::max(half_mass * start + rotational_energy(rock, piece.spin_at(from)),
+                   half_mass * end + rotational_energy(rock, piece.spin_at(to)))};
 }
 
 /// The maximum height [m] of a flight, its parameter from `from` to `to`, or `known` if that is larger.

@@ -5,6 +5,7 @@
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/results/summary.hpp"
+#include "talus/rocks/energy.hpp"
 
 namespace talus::verification {
 namespace {
@@ -42,7 +43,7 @@ constexpr std::array<std::string_view, sample_quantity_count> sample_names{
 Event event_of(const Model& model, const Rock& rock, const Motion& motion) {
   Event event{motion, 0, 0};
   event.motion.position = model.frame.global_from_local(motion.position);
-  event.kinetic = 0.5 * rock.mass * motion.velocity.squared_norm() + 0.5 * rock.inertia * motion.spin.squared_norm();
+  event.kinetic = kinetic_energy(rock, motion);
   event.potential = rock.mass * model.laws.gravity.norm() * (event.motion.position.z() - model.energy_datum);
   return event;
 }
@@ -71,8 +72,7 @@ struct ObservedPart : ObserverPart {
     add(SampleQuantity::runout_xy_m, runout(record.outcome, model.runout_frame).plan);
     add(SampleQuantity::end_x_m, model.frame.global_from_local(record.outcome.end.position).x());
     for (const Passage& hit : log.hits) {
-      add(SampleQuantity::barrier_ke_translational_kJ,
-          0.5 * record.body.mass * hit.motion.velocity.squared_norm() / 1000);
+      add(SampleQuantity::barrier_ke_translational_kJ, translational_energy(record.body, hit.motion) / 1000);
       add(SampleQuantity::barrier_height_m, hit.height);
     }
     if (energies == Energies::watch) {
