@@ -128,6 +128,21 @@ inline constexpr double contacts_to_stuck = 40;
 /// Contacts in one place after which a rock below the stopping velocity is wedged, and rests.
 inline constexpr double contacts_to_rest = 200;
 
+// ---- impacts of bodies with a shape ----
+
+/// Sine of the angle between the slip of a contact and the friction against it, below which they are opposite.
+inline constexpr double slip_direction = 1e-12;
+/// Impulses of several contacts have settled if a round changes them by less than this share of their sum, or after so
+/// many rounds. Larger: contacts sink in or part by this share of the impact's velocity.
+inline constexpr double settled_impulse = 1e-9;
+inline constexpr int most_sweeps = 1000;
+/// Rounds before impulses change by half steps: twice as slow, but contacts that drive each other settle.
+inline constexpr int sweeps_in_full = 100;
+/// Energy that impulses add, below this share of what they turn over, is rounding or has not settled.
+inline constexpr double energy_by_rounding = 1e-9;
+
+// ---- the end of a rock ----
+
 /// The edge of the model counts as reached if free flight reaches it within this time [s].
 inline constexpr double at_once = 1e-9;
 

@@ -1,0 +1,249 @@
+#include "talus/impact/rigid_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "talus/core/tolerances.hpp"
+
+namespace talus {
+
+namespace {
+
+/// Across a normal.
+struct Tangent {
+  Vec3 a, b;  // unit, at right angles
+  explicit Tangent(const Vec3& n) {
+    // Away from the axis to which the normal is nearest.
+    const Vec3 away = n.abs().place_of_largest() == 2 ? unit_x : unit_z;
+    a = tangential(away, n).normalized();
+    b = n.cross(a);
+  }
+};
+
+double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+Vec2 quarter_turn(const Vec2& a) { return {-a.y(), a.x()}; }
+
+/// One contact in its own frame: the first coordinate along the normal, the others across it.
+class ContactFrame {
+ public:
+  ContactFrame(const ContactPoint& contact, const BodyInertia& body) : contact_(contact), t_(contact.normal) {
+    const auto column = [&](const Vec3& direction) {
+      const Vec3 turning = body.inverse_inertia * contact.arm.cross(direction);
+      return in_frame(direction / body.mass + turning.cross(contact.arm));
+    };
+    response_ = Mat3::of_columns(column(contact.normal), column(t_.a), column(t_.b));
+  }
+
+  [[nodiscard]] Vec3 in_frame(const Vec3& v) const { return {v.dot(contact_.normal), v.dot(t_.a), v.dot(t_.b)}; }
+  [[nodiscard]] Vec3 in_terrain(const Vec3& v) const { return v[0] * contact_.normal + v[1] * t_.a + v[2] * t_.b; }
+  /// The change of velocity by an impulse, as a matrix.
+  [[nodiscard]] const Mat3& response() const { return response_; }
+  [[nodiscard]] const Vec3& arm() const { return contact_.arm; }
+
+ private:
+  ContactPoint contact_;
+  Tangent t_;
+  Mat3 response_;
+};
+
+/// A slipping contact: `wanted` is the change of velocity with which it would stick. With the unit direction d of slip,
+/// Pn = wanted_n / den, den = Ann - mu Ant.d, and the slip is s = -wanted_t + Pn (Ant - mu Att d): it must be along d.
+class Slip {
+ public:
+  Slip(const Mat3& response, const Vec3& wanted, double friction)
+      : wanted_(wanted.y(), wanted.z()),
+        coupling_(response.rows[0].y(), response.rows[0].z()),
+        first_(response.rows[1].y(), response.rows[1].z()),
+        second_(response.rows[2].y(), response.rows[2].z()),
+        normal_(response.rows[0].x()),
+        wanted_normal_(wanted.x()),
+        friction_(friction),
+        rounding_(tolerance::slip_direction * (normal_ * wanted.norm())) {}
+
+  /// The impulse, if slip has the direction to which `guess` is near.
+  [[nodiscard]] std::optional<Vec3> impulse_near(const Vec2& guess) const {
+    if (guess.squared_norm() == 0) return std::nullopt;
+    Vec2 d = guess.normalized();
+    for (int step = 0; step < most_steps; ++step) {
+      const double den = denominator(d);
+      const Vec2 s = scaled_slip(d), across = quarter_turn(d);
+      const double off = cross(s, d);
+      if (std::abs(off) <= rounding_) {
+        if (den <= 0 || s.dot(d) < -rounding_) return std::nullopt;
+        const double normal = wanted_normal_ / den;
+        return Vec3{normal, -friction_ * normal * d.x(), -friction_ * normal * d.y()};
+      }
+      const Vec2 slope = friction_ * coupling_.dot(across) * wanted_ - friction_ * wanted_normal_ * times(across);
+      const double change = cross(slope, d) + cross(s, across);
+      if (change == 0) return std::nullopt;
+      const double turn = std::clamp(-off / change, -largest_turn, largest_turn);
+      d = (std::cos(turn) * d + std::sin(turn) * across).normalized();
+    }
+    return std::nullopt;
+  }
+  /// From all sides.
+  [[nodiscard]] std::optional<Vec3> impulse_anywhere() const {
+    constexpr int directions = 32;
+    for (int i = 0; i < directions; ++i) {
+      const double angle = 2 * std::numbers::pi * i / directions;
+      if (const auto found = impulse_near({std::cos(angle), std::sin(angle)})) return found;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr int most_steps = 30;
+  static constexpr double largest_turn = 0.5;  // [rad]
+
+  [[nodiscard]] Vec2 times(const Vec2& d) const { return {first_.dot(d), second_.dot(d)}; }
+  [[nodiscard]] double denominator(const Vec2& d) const { return normal_ - friction_ * coupling_.dot(d); }
+  /// The slip times the denominator.
+  [[nodiscard]] Vec2 scaled_slip(const Vec2& d) const {
+    return wanted_normal_ * (coupling_ - friction_ * times(d)) - denominator(d) * wanted_;
+  }
+
+  Vec2 wanted_, coupling_, first_, second_;
+  double normal_, wanted_normal_, friction_;
+  double rounding_;  // of the scaled slip
+};
+
+/// The impulse that changes the contact's velocity by `wanted`, as far as friction can; zero if that is no push.
+Vec3 impulse_for(const ContactFrame& frame, const Vec3& wanted, double friction) {
+  if (wanted.x() <= 0) return {};
+  const Mat3& response = frame.response();
+  const Vec3 sticking = response.solve(wanted);
+  const Vec2 holding(sticking.y(), sticking.z());
+  const double most = friction * sticking.x();
+  if (sticking.x() >= 0 && holding.squared_norm() <= most * most) return sticking;
+  const Slip slip(response, wanted, friction);
+  if (const auto found = slip.impulse_near(-holding)) return *found;
+  if (const auto found = slip.impulse_near({-wanted.y(), -wanted.z()})) return *found;
+  if (const auto found = slip.impulse_anywhere()) return *found;
+  return {wanted.x() / response.rows[0].x(), 0, 0};  // no direction of slip fits it: without friction
+}
+
+/// The body while impulses are sought.
+struct Struck {
+  Vec3 velocity, spin;
+  void add(const Vec3& impulse, const Vec3& arm, const BodyInertia& body) {
+    velocity += impulse / body.mass;
+    spin += body.inverse_inertia * arm.cross(impulse);
+  }
+  [[nodiscard]] Vec3 velocity_at(const Vec3& arm) const { return velocity + spin.cross(arm); }
+};
+
+class Impulses {
+ public:
+  Impulses(const Vec3& velocity, const Vec3& spin, const BodyInertia& body, const ContactSet& contacts, double friction)
+      : before_{velocity, spin}, body_(body), friction_(friction), size_(contacts.size()) {
+    for (std::size_t i = 0; i < size_; ++i) {
+      frames_[i].emplace(contacts[i], body);
+      approach_[i] = frames_[i]->in_frame(before_.velocity_at(contacts[i].arm));
+    }
+  }
+
+  [[nodiscard]] RigidBodyImpact with(Restitution restitution) const {
+    RigidBodyImpact result;
+    Struck struck = before_;
+    std::array<Vec3, ContactSet::most> impulses;  // in the frames of the contacts
+    result.has_settled = size_ == 1;
+    const int sweeps = size_ == 1 ? 1 : tolerance::most_sweeps;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      double changed = 0, total = 0;
+      for (std::size_t i = 0; i < size_; ++i) {
+        const ContactFrame& frame = *frames_[i];
+        const Vec3& u = approach_[i];
+        const Vec3 target(restitution.normal * std::max(-u.x(), 0.0), restitution.tangential * u.y(),
+                          restitution.tangential * u.z());
+        const Vec3 now = frame.in_frame(struck.velocity_at(frame.arm()));
+        const Vec3 without = now - frame.response() * impulses[i];
+        Vec3 impulse = impulse_for(frame, target - without, friction_);
+        // Contacts that drive each other from stick to slip and back settle by half steps.
+        if (sweep >= tolerance::sweeps_in_full) impulse = 0.5 * (impulse + impulses[i]);
+        struck.add(frame.in_terrain(impulse - impulses[i]), frame.arm(), body_);
+        changed += (impulse - impulses[i]).norm();
+        total += impulse.norm();
+        impulses[i] = impulse;
+      }
+      if (changed <= tolerance::settled_impulse * total) {
+        result.has_settled = true;
+        break;
+      }
+    }
+    for (std::size_t i = 0; i < size_; ++i) result.impulses[i] = frames_[i]->in_terrain(impulses[i]);
+    result.rebound = {struck.velocity, struck.spin};
+    return result;
+  }
+  /// The kinetic energy that impulses add: P (u + u') / 2 of each [J].
+  [[nodiscard]] double work(const RigidBodyImpact& impact) const {
+    const Struck after{impact.rebound.velocity, impact.rebound.spin};
+    double sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Vec3& arm = frames_[i]->arm();
+      sum += 0.5 * impact.impulses[i].dot(before_.velocity_at(arm) + after.velocity_at(arm));
+    }
+    return sum;
+  }
+  /// Impulses that have not settled, lowered by a common factor to where they take most energy.
+  [[nodiscard]] RigidBodyImpact lowered(RigidBodyImpact impact) const {
+    const Struck after{impact.rebound.velocity, impact.rebound.spin};
+    double taken = 0, returned = 0;  // P u and P (u' - u)
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Vec3& arm = frames_[i]->arm();
+      taken -= impact.impulses[i].dot(before_.velocity_at(arm));
+      returned += impact.impulses[i].dot(after.velocity_at(arm) - before_.velocity_at(arm));
+    }
+    const double factor = taken > 0 ? std::min(1.0, taken / returned) : 0;
+    Struck struck = before_;
+    for (std::size_t i = 0; i < size_; ++i) {
+      impact.impulses[i] *= factor;
+      struck.add(impact.impulses[i], frames_[i]->arm(), body_);
+    }
+    impact.rebound = {struck.velocity, struck.spin};
+    return impact;
+  }
+  /// The energy that the impulses turn over, against which rounding is measured [J].
+  [[nodiscard]] double turnover(const RigidBodyImpact& impact) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      sum += impact.impulses[i].norm() * before_.velocity_at(frames_[i]->arm()).norm();
+    }
+    return sum;
+  }
+
+ private:
+  Struck before_;
+  const BodyInertia& body_;
+  double friction_;
+  std::size_t size_;
+  std::array<std::optional<ContactFrame>, ContactSet::most> frames_;
+  std::array<Vec3, ContactSet::most> approach_;  // velocities before, in the frames
+};
+
+}  // namespace
+
+RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const BodyInertia& body,
+                                  const ContactSet& contacts, Restitution restitution, double friction) {
+  const Impulses impulses(velocity, spin, body, contacts, friction);
+  const auto gains = [&](const RigidBodyImpact& impact) {
+    return impulses.work(impact) > tolerance::energy_by_rounding * impulses.turnover(impact);
+  };
+  RigidBodyImpact impact = impulses.with(restitution);
+  if (!gains(impact)) return impact;
+  double least = 0, most = 1;  // factors: with `least` energy does not grow, with `most` it does
+  impact = impulses.with({});
+  constexpr int halvings = 20;
+  for (int i = 0; i < halvings; ++i) {
+    const double factor = 0.5 * (least + most);
+    const RigidBodyImpact lower = impulses.with({factor * restitution.normal, factor * restitution.tangential});
+    (gains(lower) ? most : least) = factor;
+    if (least == factor) impact = lower;
+  }
+  if (gains(impact)) impact = impulses.lowered(impact);
+  impact.is_limited = true;
+  return impact;
+}
+
+}  // namespace talus

@@ -1,0 +1,45 @@
+#pragma once
+// Impact of a rigid body of any shape, at one or several contacts at once: Newton's restitution along the normals,
+// Coulomb friction, one set of impulses that fits all contacts.
+//
+//   u_i = v + w x r_i            velocity of contact i, of arm r_i and normal n_i; un, ut along the normal and across
+//   it G_ij = 1/m - [r_i] J [r_j]   what an impulse at j changes at i, with J the inverse inertia tensor, [r] b = r x b
+// Impulses P_i are sought with, for each contact,
+//   normal:   Pn >= 0,  un' >= Rn max(-un, 0),  and one of both an equality
+//   tangent:  |Pt| <= mu Pn;  it sticks with ut' = Rt ut, or slips with Pt = -mu Pn d,  d along ut' - Rt ut
+// One contact is solved exactly: it separates, sticks or slips, and the direction d of slip is the root of one
+// equation. Several are solved one after the other in their order, again and again, until nothing changes (block
+// Gauss-Seidel).
+//
+// Source: the verification manual, section 7.3, is the law of one contact without friction or with enough of it; that
+// of several is Newton's law in the form of R. Leine et al., "Simulation of rockfall trajectories with consideration of
+// rock shape", Multibody System Dynamics 32 (2014), doi 10.1007/s11044-013-9393-4. With the arm of a sphere, -r n, this
+// is the law of rigid_sphere.hpp. Newton's restitution with friction can create energy at eccentric contacts (T. Kane's
+// paradox). If it does, Rn and Rt of that impact are lowered by a common factor to where it does not: with Rn = Rt = 0
+// it never does. That is said in `is_limited`. Tested against published and computed impacts, and by conservation:
+// test/impact/rigid_body_test.cpp.
+
+#include "talus/core/matrix.hpp"
+#include "talus/impact/contact_set.hpp"
+#include "talus/impact/restitution.hpp"
+
+namespace talus {
+
+/// What resists an impulse.
+struct BodyInertia {
+  double mass = 0;       // [kg]
+  Mat3 inverse_inertia;  // about the centre of mass, in the frame of the terrain [1/(kg m2)]
+};
+
+struct RigidBodyImpact {
+  Rebound rebound;
+  std::array<Vec3, ContactSet::most> impulses{};  // on the body, in the order of the contacts [N s]
+  bool has_settled = false;                       // if not, contacts may still approach the ground, for the next impact
+  bool is_limited = false;                        // its restitution was lowered to keep energy from growing
+};
+
+/// `friction`: the coefficient mu of all contacts.
+[[nodiscard]] RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const BodyInertia& body,
+                                                const ContactSet& contacts, Restitution restitution, double friction);
+
+}  // namespace talus
