@@ -1,8 +1,8 @@
 // Single impacts and flights.
 
 #include "bindings.hpp"
-#include "talus/flight/state_with_drag.hpp"
 #include "talus/impact/law.hpp"
+#include "talus/rocks/state_with_drag.hpp"
 #include "vectors.hpp"
 
 namespace talus::python {
@@ -18,9 +18,10 @@ template <class Law>
 void rebounds(const Law& law, const Impacts& in, py::ssize_t count, VectorsOut& velocity, VectorsOut& spin) {
   for (py::ssize_t k = 0; k < count; ++k) {
     const Vec3 v = in.velocity[k], w = in.spin[k], n = in.normal[k];
-    const Rock rock{in.mass[k], in.radius[k], 0.4 * in.mass[k] * in.radius[k] * in.radius[k]};
+    const Rock rock{in.mass[k], in.radius[k], inertia_of_sphere(in.mass[k], in.radius[k])};
+    const ContactSet touched = ContactPoint{-rock.radius * n, n};
     const Rebound after = law.rebound(
-        Approach{v, w, n, rock},
+        Approach{v, w, touched, rock},
         [&] {
           return Restitution{in.rn[k], in.rt[k]};
         },

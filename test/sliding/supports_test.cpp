@@ -80,31 +80,31 @@ TEST(FootingOn, IsTheProjectionOntoTheCone) {
 
 TEST(CaughtBetween, AppliesInAValleyNotOnARidge) {
   const Vec3 left = Vec3(1, 0, 1).normalized(), right = Vec3(-1, 0, 1).normalized();
-  const auto valley = caught_between(gravity, left, right, {0, 1, 0}, 0.1);
-  ASSERT_TRUE(valley);
-  EXPECT_NEAR(std::abs(valley->direction.y()), 1, 1e-14);
-  EXPECT_LT(valley->footing.pull.norm(), 1e-12);
+  ASSERT_TRUE(is_caught_between(gravity, left, right, {0, 1, 0}, 0.1));
+  const Valley valley = valley_between(gravity, left, right);
+  EXPECT_NEAR(std::abs(valley.direction.y()), 1, 1e-14);
+  EXPECT_LT(valley.footing.pull.norm(), 1e-12);
   // A rock that leaves the first side faster than the cutoff is not caught.
   const Vec3 up_the_second = right.cross(unit_y);
   const Vec3 away = up_the_second.dot(left) > 0 ? up_the_second : -up_the_second;
-  EXPECT_FALSE(caught_between(gravity, left, right, 0.2 * away, 0.1));
-  EXPECT_TRUE(caught_between(gravity, left, right, 0.05 * away, 0.1));
+  EXPECT_FALSE(is_caught_between(gravity, left, right, 0.2 * away, 0.1));
+  EXPECT_TRUE(is_caught_between(gravity, left, right, 0.05 * away, 0.1));
 }
 
 // The forces of both sides and gravity balance across the valley.
 TEST(CaughtBetween, SharesTheLoadBetweenTheSides) {
   const Vec3 steep = Vec3(2, 0, 1).normalized(), gentle = Vec3(-1, 0, 3).normalized();
-  const auto valley = caught_between(gravity, steep, gentle, {0, 0, 0}, 0.1);
-  ASSERT_TRUE(valley);
-  const double on_first = valley->first_share * valley->footing.normal_acceleration;
-  const double on_second = valley->footing.normal_acceleration - on_first;
-  EXPECT_LT((on_first * steep + on_second * gentle + gravity - valley->footing.pull).norm(), 1e-12);
+  ASSERT_TRUE(is_caught_between(gravity, steep, gentle, {0, 0, 0}, 0.1));
+  const Valley valley = valley_between(gravity, steep, gentle);
+  const double on_first = valley.first_share * valley.footing.normal_acceleration;
+  const double on_second = valley.footing.normal_acceleration - on_first;
+  EXPECT_LT((on_first * steep + on_second * gentle + gravity - valley.footing.pull).norm(), 1e-12);
 }
 
 TEST(CaughtBetween, DoesNotApplyIfOneSideLeadsAway) {
   // Both sides fall in the same direction: the rock slides off the first over the second.
-  EXPECT_FALSE(caught_between(gravity, Vec3(1, 0, 2).normalized(), Vec3(1, 0, 1).normalized(), {0, 0, 0}, 0.1));
-  EXPECT_FALSE(caught_between(gravity, unit_z, unit_z, {0, 0, 0}, 0.1));
+  EXPECT_FALSE(is_caught_between(gravity, Vec3(1, 0, 2).normalized(), Vec3(1, 0, 1).normalized(), {0, 0, 0}, 0.1));
+  EXPECT_FALSE(is_caught_between(gravity, unit_z, unit_z, {0, 0, 0}, 0.1));
 }
 
 }  // namespace

@@ -46,7 +46,6 @@ InValley valley_at(const TriangleMesh& mesh, const Vec3& place, double mu) {
   });
   state.is_on_facet = true;
   state.friction.mu = mu;
-  state.valley = *caught_between({0, 0, -g}, state.other.normal, state.on.normal, Vec3{}, 0.1);
   return state;
 }
 
@@ -93,8 +92,8 @@ TEST(InValley, KeepsOnlyTheVelocityAlongIt) {
   rock->motion.velocity = Vec3(3, 1, 2);
   keep_along_valley(*rock, state);
   EXPECT_NEAR((rock->motion.velocity - Vec3(3, 1, 2).dot(along) * along).norm(), 0, 1e-12);
-  EXPECT_NEAR((ground_beneath(state, state.valley.footing).along_ground(Vec3(3, 1, 2)) - rock->motion.velocity).norm(),
-              0, 1e-12);
+  const GroundBeneath beneath = ground_beneath(*rock, state, rock->valley_of(state).footing);
+  EXPECT_NEAR((beneath.along_ground(Vec3(3, 1, 2)) - rock->motion.velocity).norm(), 0, 1e-12);
 }
 
 // If only one side continues, the rock moves on over it with its friction, and still touches the other for a moment.

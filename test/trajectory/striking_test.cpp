@@ -57,9 +57,9 @@ TEST(Striking, ASecondContactInOnePlaceIsAValleyIfGravityHoldsTheRock) {
   EXPECT_EQ(state.on.normal, normals[1]);
   EXPECT_EQ(state.other.normal, normals[0]);
   EXPECT_TRUE(state.is_on_facet);
-  EXPECT_NEAR(std::abs(state.valley.direction.y()), 1, 1e-15);
+  EXPECT_NEAR(std::abs(rock->valley_of(state).direction.y()), 1, 1e-15);
   // Each side carries half: N = g / (2 cos 45).
-  EXPECT_NEAR(state.valley.footing.normal_acceleration, standard_gravity * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(rock->valley_of(state).footing.normal_acceleration, standard_gravity * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(rock->motion.velocity.x(), 0, 1e-15);
   EXPECT_NEAR(rock->motion.velocity.z(), 0, 1e-15);
 }

@@ -52,7 +52,7 @@ struct CrspLaw {
   template <class DrawRestitution, class DrawFriction>
   [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
     // Computed before the draws, which take as long and do not depend on it: both can run at the same time.
-    const CrspImpact impact = crsp_impact(a.velocity, a.spin, a.normal, a.rock.radius);
+    const CrspImpact impact = crsp_impact(a.velocity, a.spin, a.normal(), a.rock.radius);
     return crsp_rebound(impact, a.rock, restitution());
   }
 };

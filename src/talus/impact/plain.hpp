@@ -16,7 +16,7 @@ namespace talus {
 struct PlainImpact {
   template <class DrawRestitution, class DrawFriction>
   [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&&) const {
-    return plain_rebound(a.velocity, a.spin, a.normal, restitution());
+    return plain_rebound(a.velocity, a.spin, a.normal(), restitution());
   }
 };
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "talus/core/vec.hpp"
+#include "talus/impact/contact_set.hpp"
 #include "talus/rocks/rock.hpp"
 
 namespace talus {
@@ -18,8 +18,11 @@ struct Restitution {
 struct Approach {
   const Vec3& velocity;  // [m/s]
   const Vec3& spin;      // [rad/s]
-  const Vec3& normal;    // unit, out of the ground, roughness included
+  const ContactSet& contacts;
   const Rock& rock;
+
+  /// Of the only contact of a point or a sphere.
+  [[nodiscard]] const Vec3& normal() const { return contacts[0].normal; }
 };
 
 /// A rock's motion after an impact.

@@ -39,11 +39,11 @@ struct RigidSphereImpact {
   [[nodiscard]] Rebound rebound(const Approach& a, DrawRestitution&& restitution, DrawFriction&& friction) const {
     Restitution drawn = restitution();
     if (has_crsp_damping) {
-      drawn.tangential = crsp_damped_tangential_restitution(a.velocity, a.spin, a.normal, a.rock, drawn);
+      drawn.tangential = crsp_damped_tangential_restitution(a.velocity, a.spin, a.normal(), a.rock, drawn);
     }
     ContactFriction drawn_friction = friction();
     if (!has_rolling_resistance) drawn_friction.rolling = 0;
-    return rigid_sphere_rebound(a.velocity, a.spin, a.normal, a.rock, drawn, drawn_friction);
+    return rigid_sphere_rebound(a.velocity, a.spin, a.normal(), a.rock, drawn, drawn_friction);
   }
 };
 

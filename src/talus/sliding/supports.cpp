@@ -57,25 +57,29 @@ Footing footing_on(const Vec3& gravity, const Supports& supports) {
   return {gravity, 0};
 }
 
-std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, const Vec3& second, const Vec3& velocity,
-                                     double cutoff) {
+bool is_caught_between(const Vec3& gravity, const Vec3& first, const Vec3& second, const Vec3& velocity,
+                       double cutoff) {
   const Vec3 edge = first.cross(second);
   const double sine = edge.norm();
-  if (sine < same_support) return std::nullopt;
+  if (sine < same_support) return false;
   const Vec3 e = edge / sine;
   // In each plane, at right angles away from the other one.
   Vec3 out_on_second = e.cross(second), out_on_first = e.cross(first);
   if (out_on_second.dot(first) < 0) out_on_second = -out_on_second;
   if (out_on_first.dot(second) < 0) out_on_first = -out_on_first;
-  if (gravity.dot(out_on_second) >= 0 || gravity.dot(out_on_first) >= 0) return std::nullopt;
-  if (velocity.dot(out_on_second) >= cutoff) return std::nullopt;
+  if (gravity.dot(out_on_second) >= 0 || gravity.dot(out_on_first) >= 0) return false;
+  return velocity.dot(out_on_second) < cutoff;
+}
+
+Valley valley_between(const Vec3& gravity, const Vec3& first, const Vec3& second) {
+  const Vec3 edge = first.cross(second);
   Supports both;
   both.add(first);
   both.add(second);
   // Gravity drives the rock from each onto the other: both carry it.
   const double c = first.dot(second), on_first = -gravity.dot(first), on_second = -gravity.dot(second);
   const double share = (on_first - c * on_second) / ((1 - c) * (on_first + on_second));
-  return Valley{e, footing_on(gravity, both), std::clamp(share, 0.0, 1.0)};
+  return {edge / edge.norm(), footing_on(gravity, both), std::clamp(share, 0.0, 1.0)};
 }
 
 }  // namespace talus

@@ -2,7 +2,6 @@
 // Where a rock that touches several facets can move: down one of them, along a valley between two, or nowhere.
 
 #include <array>
-#include <optional>
 
 #include "talus/sliding/leg.hpp"
 
@@ -31,9 +30,13 @@ struct Valley {
   double first_share;  // the first support's share of the normal forces
 };
 
-/// The valley between two neighbouring supports, if a rock that leaves a contact with the second at `velocity` stays in
-/// it: gravity drives it from each onto the other, and it moves away from the first more slowly than `cutoff` [m/s].
-[[nodiscard]] std::optional<Valley> caught_between(const Vec3& gravity, const Vec3& first, const Vec3& second,
-                                                   const Vec3& velocity, double cutoff);
+/// Whether a rock that leaves a contact with the second of two neighbouring supports at `velocity` stays in the valley
+/// between them: gravity drives it from each onto the other, and it moves away from the first more slowly than `cutoff`
+/// [m/s].
+[[nodiscard]] bool is_caught_between(const Vec3& gravity, const Vec3& first, const Vec3& second, const Vec3& velocity,
+                                     double cutoff);
+
+/// The valley between two supports that hold a rock.
+[[nodiscard]] Valley valley_between(const Vec3& gravity, const Vec3& first, const Vec3& second);
 
 }  // namespace talus

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 
 #include "talus/sampling/draws.hpp"
 
@@ -17,22 +16,23 @@ class Bumps {
  public:
   /// The way to the next bump on ground of this spacing [m].
   [[nodiscard]] double way(const Draws& draws, double spacing) {
-    if (!left_) left_ = -std::log(draws.one(Stream::bump, number_));
-    return *left_ * spacing;
+    if (left_ < 0) left_ = -std::log(draws.one(Stream::bump, number_));
+    return left_ * spacing;
   }
   /// The rock has moved along ground of this spacing, not beyond the next bump [m].
   void cover(double way, double spacing) {
-    if (left_) left_ = std::max(0.0, *left_ - way / spacing);
+    if (left_ >= 0) left_ = std::max(0.0, left_ - way / spacing);
   }
   /// The rock has met the bump.
   void pass() {
-    left_.reset();
+    left_ = not_drawn;
     ++number_;
   }
 
  private:
-  std::optional<double> left_;  // to the next bump, in spacings; drawn when it is first asked for
-  std::uint32_t number_ = 0;    // of bumps met
+  static constexpr double not_drawn = -1;
+  double left_ = not_drawn;   // to the next bump, in spacings; drawn when it is first asked for
+  std::uint32_t number_ = 0;  // of bumps met
 };
 
 }  // namespace talus

@@ -87,7 +87,7 @@ template <class Surface, class Sink>
 template <class Surface, class Sink>
 [[nodiscard]] Phase fly(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
-  const FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, phase.left);
+  const FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, rock.planes_of(phase.left));
   const auto next = fly_along(rock, phase, path, {}, end);
   return next ? *next : Ended{EndReason::maximum_time};
 }

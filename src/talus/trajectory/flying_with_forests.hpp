@@ -38,7 +38,7 @@ template <class Surface>
 template <class Surface, class Sink>
 [[nodiscard]] std::optional<Phase> fly_to_forest(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
-  FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, phase.left);
+  FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, rock.planes_of(phase.left));
   for (double t = 0; t < end.t;) {
     const double next = std::min(end.t, t + forest_step_time(rock.laws, path.velocity(t)));
     if (forest_drag_at(rock, path.at(next)) > 0) {
@@ -70,7 +70,7 @@ template <class Surface, class Sink>
   if (forest_drag_at(rock, path.at(length)) != rate) length = forest_border_between(rock, path, 0, length, rate);
 
   FlightEnd end{length, {}, {}};
-  if (const FlightEnd met = first_contact(rock, path, length, phase.left); met.contact) {
+  if (const FlightEnd met = first_contact(rock, path, length, rock.planes_of(phase.left)); met.contact) {
     end = met;
   } else if (!rock.surface.ground_below(path.at(length))) {
     const Exit exit = rock.surface.exit(path);

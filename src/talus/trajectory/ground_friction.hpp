@@ -45,7 +45,9 @@ template <class Surface>
 [[nodiscard]] GroundFriction shared_friction(MovingRock<Surface>& rock, GroundFriction own, const InValley& phase) {
   if (rock.material_at(phase.other.facet) == rock.material_at(phase.on.facet)) return own;
   const GroundFriction other = friction_at(rock, phase.other.facet);
-  const auto mix = [share = phase.valley.first_share](double& mine, double others) { mine += share * (others - mine); };
+  const auto mix = [share = rock.valley_of(phase).first_share](double& mine, double others) {
+    mine += share * (others - mine);
+  };
   mix(own.mu, other.mu);
   mix(own.drag, other.drag);
   mix(own.sphere.dynamic, other.sphere.dynamic);

@@ -30,7 +30,7 @@ concept GroundPhase = requires(TrackedRock<Surface, Sink>& rock, Current& phase,
   /// Maximum duration of a leg [s].
   { longest_leg(rock, phase, footing) } -> std::same_as<double>;
   { rolling_plane(rock, phase) } -> std::same_as<RollingPlane>;
-  { ground_beneath(phase, footing) } -> std::same_as<GroundBeneath>;
+  { ground_beneath(rock, phase, footing) } -> std::same_as<GroundBeneath>;
   /// What carries the rock, so that a leg does not collide with it.
   { carrying(rock, phase) } -> std::same_as<SupportPlanes>;
   /// The next leg also runs along a guide.
@@ -252,7 +252,7 @@ requires GroundPhase<Current, Surface, Sink>
   apply_side_contact(rock, phase, leg, t);
   const bool comes_to_bump = bump_ahead(rock, phase.on.facet, leg.path, t);
   const LegEnd end = end_of_leg(rock, phase, leg, t, on);
-  const GroundBeneath beneath = ground_beneath(phase, footing);
+  const GroundBeneath beneath = ground_beneath(rock, phase, footing);
   const LegAtBarriers barriers = meet_barriers(rock, phase.on.facet, leg, end.t, beneath);
   if (barriers.effect == AtBarrier::stopped) return NextPhase{Ended{EndReason::stopped_by_barrier}};
   if (barriers.effect == AtBarrier::continues) {
@@ -342,7 +342,8 @@ template <class Surface>
   return {phase.on.normal, rock.rock, phase.friction.sphere};
 }
 
-[[nodiscard]] inline GroundBeneath ground_beneath(const OnSupport& phase, const Footing& footing) {
+template <class Surface>
+[[nodiscard]] GroundBeneath ground_beneath(const MovingRock<Surface>&, const OnSupport& phase, const Footing& footing) {
   return {phase.on.normal, {}, phase.friction.sphere, footing};
 }
 

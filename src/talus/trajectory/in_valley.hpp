@@ -6,8 +6,8 @@
 namespace talus {
 
 template <class Surface>
-[[nodiscard]] Footing footing_of(const MovingRock<Surface>&, const InValley& phase) {
-  return phase.valley.footing;
+[[nodiscard]] Footing footing_of(MovingRock<Surface>& rock, const InValley& phase) {
+  return rock.valley_of(phase).footing;
 }
 
 template <class Surface>
@@ -16,8 +16,9 @@ template <class Surface>
                            : longest_leg_on_edge(rock, phase.friction, footing);
 }
 
-[[nodiscard]] inline GroundBeneath ground_beneath(const InValley& phase, const Footing& footing) {
-  return {phase.on.normal, phase.valley.direction, phase.friction.sphere, footing};
+template <class Surface>
+[[nodiscard]] GroundBeneath ground_beneath(MovingRock<Surface>& rock, const InValley& phase, const Footing& footing) {
+  return {phase.on.normal, rock.valley_of(phase).direction, phase.friction.sphere, footing};
 }
 
 /// Its other side already guides it.
@@ -32,8 +33,8 @@ template <class Surface>
 
 /// Each leg runs along the valley: rounding across it would grow, since friction acts along slip however small.
 template <class Surface>
-void apply_side_contact(const MovingRock<Surface>& rock, const InValley& phase, Leg& leg, double&) {
-  leg = guided(leg, phase.valley.direction);
+void apply_side_contact(MovingRock<Surface>& rock, const InValley& phase, Leg& leg, double&) {
+  leg = guided(leg, rock.valley_of(phase).direction);
   if (rock.is_sphere()) leg.end_spin = spin_in_valley(rock, phase, leg.end_spin);
 }
 
@@ -41,9 +42,10 @@ template <class Surface>
 [[nodiscard]] std::optional<OutlineEdge> outline_ahead(MovingRock<Surface>& rock, const InValley& phase,
                                                        const Parabola& leg, double& t) {
   if (!phase.is_on_facet) return std::nullopt;
-  auto side = side_crossed(rock, phase.on.facet, leg, t, 0, &phase.valley.direction);
+  const Vec3& along = rock.valley_of(phase).direction;
+  auto side = side_crossed(rock, phase.on.facet, leg, t, 0, &along);
   if (rock.is_facet(phase.other)) {
-    if (auto other = side_crossed(rock, phase.other.facet, leg, t, 0, &phase.valley.direction)) side = other;
+    if (auto other = side_crossed(rock, phase.other.facet, leg, t, 0, &along)) side = other;
   }
   return side;
 }
@@ -96,10 +98,10 @@ void remove_drift(MovingRock<Surface>& rock, const InValley& phase) {
 
 /// The facets that the rock takes off from.
 template <class Surface>
-[[nodiscard]] SupportPlanes planes_left(const MovingRock<Surface>& rock, const InValley& phase) {
-  SupportPlanes left;
-  if (phase.is_on_facet) left.add(phase.on.normal, phase.on.facet);
-  if (rock.is_facet(phase.other)) left.add(phase.other.normal, phase.other.facet);
+[[nodiscard]] LeftFacets facets_left(const MovingRock<Surface>& rock, const InValley& phase) {
+  LeftFacets left;
+  if (phase.is_on_facet) left.add(phase.on.facet);
+  if (rock.is_facet(phase.other)) left.add(phase.other.facet);
   return left;
 }
 
@@ -154,9 +156,7 @@ template <class Surface>
   if (phase.is_on_facet && rock.is_facet(phase.other)) {
     // The planes are the same but for rounding, which would add up along the valley.
     const Vec3 n = rock.surface.normal(on), m = rock.surface.normal(other);
-    const auto caught = caught_between(rock.laws.gravity, m, n, rock.motion.velocity, rock.leaving_speed);
-    if (caught) {
-      phase.valley = *caught;
+    if (is_caught_between(rock.laws.gravity, m, n, rock.motion.velocity, rock.leaving_speed)) {
       phase.on.normal = n;
       phase.other.normal = m;
       keep_along_valley(rock, phase);
@@ -192,7 +192,7 @@ template <class Surface, class Sink>
       return strike(rock, {0, rising.normal, rising.facet, Feature::facet});
     }
   }
-  return take_off(rock, phase, planes_left(rock, phase));
+  return take_off(rock, phase, facets_left(rock, phase));
 }
 
 template <class Surface, class Sink>

@@ -13,6 +13,7 @@
 #include "talus/impact/law.hpp"
 #include "talus/rocks/energy.hpp"
 #include "talus/sliding/bend.hpp"
+#include "talus/sliding/supports.hpp"
 #include "talus/terrain/surface.hpp"
 #include "talus/trajectory/kept_outlines.hpp"
 #include "talus/trajectory/piece_maxima.hpp"
@@ -26,6 +27,24 @@ namespace talus {
 struct ClearWay {
   Vec3 normal, from;
   double way = 0, until = 0;  // [m]
+};
+
+/// The last valley that a rock was in: the same for many legs.
+class KeptValley {
+ public:
+  /// The reference is valid until another valley is requested.
+  [[nodiscard]] const Valley& between(const Vec3& gravity, const Vec3& first, const Vec3& second) {
+    if (first != first_ || second != second_) {
+      first_ = first;
+      second_ = second;
+      valley_ = valley_between(gravity, first, second);
+    }
+    return valley_;
+  }
+
+ private:
+  Vec3 first_, second_;
+  Valley valley_{};
 };
 
 template <TerrainSurface Surface>
@@ -84,6 +103,16 @@ class MovingRock : public RockState {
   /// Whether a support is the facet itself, not one of its edges or vertices.
   [[nodiscard]] bool is_facet(const Support& support) const {
     return surface.normal(support.facet).dot(support.normal) > 1 - tolerance::facet_normal;
+  }
+  /// The reference is valid until another valley is requested.
+  [[nodiscard]] const Valley& valley_of(const InValley& sides) {
+    return valley_.between(laws.gravity, sides.other.normal, sides.on.normal);
+  }
+  /// The planes of the facets that a flight begins from.
+  [[nodiscard]] SupportPlanes planes_of(const LeftFacets& left) const {
+    SupportPlanes planes;
+    for (std::uint32_t i = 0; i < left.count; ++i) planes.add(surface.normal(left.facet[i]), left.facet[i]);
+    return planes;
   }
   /// Draws the ground's properties for a new contact.
   [[nodiscard]] GroundDraw draw_at(FacetId facet) {
@@ -155,6 +184,7 @@ class MovingRock : public RockState {
   const Draws& draws_;
   double angle_ = 0, tangent_ = 0;  // the last friction angle, which often does not change
   KeptOutlines outlines_;
+  KeptValley valley_;
 };
 
 [[nodiscard]] inline EndReason reason_of(const Exit& exit) {

@@ -98,13 +98,6 @@ void remove_drift(MovingRock<Surface>& rock, const OnFacet& phase) {
   correct_position(rock, -gap_to_plane(rock, n, rock.outline_of(phase.on.facet).point) * n);
 }
 
-/// The facet that the rock takes off from. (An edge has none: its normal is not that of a plane.)
-[[nodiscard]] inline SupportPlanes planes_left(const OnFacet& phase) {
-  SupportPlanes left;
-  left.add(phase.on.normal, phase.on.facet);
-  return left;
-}
-
 /// The next facet continues the rock's own, or is only grazed: the rock moves on over it.
 template <class Surface, class Sink>
 [[nodiscard]] OnFacet continue_over(TrackedRock<Surface, Sink>& rock, const Support& from,
@@ -125,10 +118,10 @@ template <class Surface, class Sink>
 template <class Surface>
 [[nodiscard]] std::optional<InValley> enter_valley(MovingRock<Surface>& rock, const OnFacet& phase,
                                                    const Support& next) {
-  const auto caught =
-      caught_between(rock.laws.gravity, phase.on.normal, next.normal, rock.motion.velocity, rock.leaving_speed);
-  if (!caught) return std::nullopt;
-  InValley valley{next, true, phase.friction, phase.on, *caught};
+  if (!is_caught_between(rock.laws.gravity, phase.on.normal, next.normal, rock.motion.velocity, rock.leaving_speed)) {
+    return std::nullopt;
+  }
+  InValley valley{next, phase.on, phase.friction, true};
   if (rock.material_at(next.facet) != rock.material_at(phase.on.facet)) valley.friction = friction_in(rock, valley);
   keep_along_valley(rock, valley);
   return valley;
@@ -174,7 +167,7 @@ template <class Surface, class Sink>
   if (rock.reach > 0 && normal_acceleration_on_edge(rock, phase.on) > 0) {
     return OnEdge{phase.on, phase.friction, {}};  // too slow to take off, it turns about the edge
   }
-  return take_off(rock, phase, planes_left(phase));
+  return take_off(rock, phase, {{phase.on.facet}, 1});
 }
 
 template <class Surface, class Sink>

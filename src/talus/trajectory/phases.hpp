@@ -2,14 +2,14 @@
 // The phases of a rock's life. Each is a type with the data of that phase alone; what all phases share - position,
 // velocity, spin - is in MovingRock. The transition out of a phase is in the file of that phase.
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <variant>
 
 #include "talus/core/id.hpp"
 #include "talus/rocks/motion.hpp"
 #include "talus/sliding/rolling.hpp"
-#include "talus/sliding/supports.hpp"
-#include "talus/terrain/contact.hpp"
 
 namespace talus {
 
@@ -27,9 +27,17 @@ struct GroundSoFar {
   MaterialId material;
 };
 
+/// The facets that a rock has just slid or rolled off.
+struct LeftFacets {
+  std::array<FacetId, 2> facet;
+  std::uint32_t count = 0;
+
+  void add(FacetId of) { facet[count++] = of; }
+};
+
 /// In the air (flying.hpp).
 struct Flying {
-  SupportPlanes left;                   // the facets that it has just slid or rolled off
+  LeftFacets left;
   std::optional<GroundSoFar> ground{};  // it moved along this until it took off
 };
 
@@ -67,11 +75,9 @@ struct OnEdge : OnSupport {};
 /// Held by gravity between two supports, so that it can only move along the line in which they meet (in_valley.hpp).
 /// The rock was on `other` when it came to `on`.
 struct InValley {
-  Support on;
-  bool is_on_facet;  // `on` is a facet, not one of its edges or vertices
+  Support on, other;
   GroundFriction friction;
-  Support other;
-  Valley valley;  // its first support is `other`
+  bool is_on_facet;  // `on` is a facet, not one of its edges or vertices
 };
 
 struct Ended {

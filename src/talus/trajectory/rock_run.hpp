@@ -140,11 +140,10 @@ void RockRun<Surface, Sink>::enter(Phase phase) {
 /// legs of no duration also reach a limit.
 template <TerrainSurface Surface, class Sink>
 void RockRun<Surface, Sink>::count_short_leg(double start) {
-  constexpr std::int64_t legs_per_step = 100;
-  if (rock_.motion.time - start < 0.5 * rock_.laws.timestep && ++rock_.short_legs % legs_per_step == 0 &&
-      rock_.steps++ >= rock_.laws.max_steps) {
-    rock_.phase = Ended{EndReason::maximum_steps};
-  }
+  constexpr std::uint32_t legs_per_step = 100;
+  if (rock_.motion.time - start >= 0.5 * rock_.laws.timestep || ++rock_.short_legs < legs_per_step) return;
+  rock_.short_legs = 0;
+  if (rock_.steps++ >= rock_.laws.max_steps) rock_.phase = Ended{EndReason::maximum_steps};
 }
 
 template <TerrainSurface Surface, class Sink>

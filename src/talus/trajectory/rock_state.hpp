@@ -64,10 +64,10 @@ struct RockState {
   Progress progress;
   Stretch stretch;
   Bumps bumps;
-  std::uint32_t contacts = 0;   // for which the ground's properties were drawn
-  std::int64_t steps = 0;       // flights and stretches so far, and one for every hundred short legs
-  std::int64_t short_legs = 0;  // so far
+  std::uint32_t contacts = 0;    // for which the ground's properties were drawn
+  std::uint32_t short_legs = 0;  // since the last that counted as a step
+  std::int64_t steps = 0;        // flights and stretches so far, and one for every hundred short legs
 };
-static_assert(std::is_trivially_copyable_v<RockState>);
+static_assert(std::is_trivially_copyable_v<RockState> && sizeof(RockState) == 352);
 
 }  // namespace talus

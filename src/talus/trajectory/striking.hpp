@@ -4,6 +4,7 @@
 #include "talus/impact/roughness.hpp"
 #include "talus/trajectory/edge_contact.hpp"
 #include "talus/trajectory/ground_friction.hpp"
+#include "talus/trajectory/tracked_rock.hpp"
 #include "talus/trajectory/valley_contact.hpp"
 
 namespace talus {
@@ -66,10 +67,10 @@ template <class Surface, class Sink>
   const bool struck_here =
       (rock.motion.position - before.position).squared_norm() < tolerance::one_contact * tolerance::one_contact;
   if (struck_here && before.with.normal.dot(n) < 1 - tolerance::facet_normal) {
-    const auto caught =
-        caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);
-    if (caught && has_open_bottom(rock, on, before)) {
-      valley = InValley{on, is_on_facet, friction, before.with, *caught};
+    const bool is_caught =
+        is_caught_between(rock.laws.gravity, before.with.normal, n, rock.motion.velocity, rock.leaving_speed);
+    if (is_caught && has_open_bottom(rock, on, before)) {
+      valley = InValley{on, before.with, friction, is_on_facet};
     } else if (rock.progress.is_stuck(rock.motion, rock.reach)) {
       // Friction or a third contact drives it from one to the other, not gravity. It moves along both.
       side_contact = Guide{before.with.normal};
@@ -134,7 +135,8 @@ template <class Surface, class Sink>
   const auto draw_friction = [&] {
     return ContactFriction{draw.dynamic_friction(material), draw.rolling_friction(material)};
   };
-  const Approach approach{motion.velocity, motion.spin, n, rock.rock};
+  const ContactSet touched = ContactPoint{-rock.reach * n, n};
+  const Approach approach{motion.velocity, motion.spin, touched, rock.rock};
   const Rebound rebound = std::visit(
       [&](const auto& law) { return law.rebound(approach, draw_restitution, draw_friction); }, rock.impact_law);
   motion.velocity = kept_outside(rebound.velocity, contact.normal);

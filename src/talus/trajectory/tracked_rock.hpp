@@ -69,8 +69,7 @@ class TrackedRock : public MovingRock<Surface> {
 
 /// The ground falls away, or ends.
 template <class Surface, class Sink, class GroundPhase>
-[[nodiscard]] Phase take_off(TrackedRock<Surface, Sink>& rock, const GroundPhase& from,
-                             const SupportPlanes& left = {}) {
+[[nodiscard]] Phase take_off(TrackedRock<Surface, Sink>& rock, const GroundPhase& from, const LeftFacets& left = {}) {
   rock.arrive();
   rock.leave(PathState::projectile);
   return Flying{left, ground_so_far(rock, from)};

@@ -25,8 +25,8 @@ template <class Surface>
 
 /// The part of a sphere's spin that a valley leaves it: about the axis across the valley.
 template <class Surface>
-[[nodiscard]] Vec3 spin_in_valley(const MovingRock<Surface>& rock, const InValley& phase, const Vec3& spin) {
-  const Vec3 axis = rolling_plane(rock, phase).normal.cross(phase.valley.direction);
+[[nodiscard]] Vec3 spin_in_valley(MovingRock<Surface>& rock, const InValley& phase, const Vec3& spin) {
+  const Vec3 axis = rolling_plane(rock, phase).normal.cross(rock.valley_of(phase).direction);
   return spin.dot(axis) * axis;
 }
 
@@ -35,7 +35,8 @@ template <class Surface>
 template <class Surface>
 void keep_along_valley(MovingRock<Surface>& rock, const InValley& phase) {
   Motion& motion = rock.motion;
-  motion.velocity = motion.velocity.dot(phase.valley.direction) * phase.valley.direction;
+  const Vec3& along = rock.valley_of(phase).direction;
+  motion.velocity = motion.velocity.dot(along) * along;
   if (rock.is_sphere()) motion.spin = spin_in_valley(rock, phase, motion.spin);
 }
 
