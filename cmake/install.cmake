@@ -1,7 +1,7 @@
 # What `cmake --install` installs, by component:
 # - program: the program with its manual page, what shells complete, the entry of menus, and examples
 # - development: the headers and libraries of all rooms, and a CMake package, with which another project can use
-#   `find_package(Talus)` and link Talus::talus, or single rooms (Talus::flight)
+#   `find_package(Talus)` and link Talus::talus, or single rooms (Talus::terrain)
 # - qgis: the plugin of QGIS
 # - licence: the licence, for archives; a Debian package has a file of its own (cmake/package.cmake)
 include(GNUInstallDirs)

@@ -13,11 +13,11 @@
 #include "progress.hpp"
 #include "standard_streams.hpp"
 #include "stop_signals.hpp"
+#include "talus/calibration/experiments.hpp"
+#include "talus/calibration/validation_results.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/files/output_file.hpp"
-#include "talus/validation/experiments.hpp"
-#include "talus/validation/results.hpp"
 
 namespace talus::cli {
 

@@ -22,8 +22,8 @@
 #include "talus/files/output_file.hpp"
 #include "talus/lines/line_input.hpp"
 #include "talus/lines/line_json.hpp"
-#include "talus/what_if/output.hpp"
-#include "talus/what_if/what_if.hpp"
+#include "talus/lines/what_if.hpp"
+#include "talus/lines/what_if_output.hpp"
 
 namespace talus::cli {
 

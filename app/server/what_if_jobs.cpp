@@ -7,7 +7,7 @@
 #include "low_priority.hpp"
 #include "talus/core/memory_reserve.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/what_if/output.hpp"
+#include "talus/lines/what_if_output.hpp"
 
 namespace talus::server {
 

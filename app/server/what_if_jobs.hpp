@@ -12,7 +12,7 @@
 
 #include "asked_runs.hpp"
 #include "http/answer.hpp"
-#include "talus/what_if/what_if.hpp"
+#include "talus/lines/what_if.hpp"
 
 namespace talus::server {
 

@@ -82,7 +82,7 @@ TEST(Rooms, SeeThemselvesAndWhatTheyKnow) {
 
 // A law of physics is a function of a contact, not of a terrain.
 TEST(Rooms, LawsSeeNoTerrain) {
-  for (const char* law : {"flight", "impact", "sliding", "barriers"})
+  for (const char* law : {"rocks", "impact", "sliding", "barriers"})
     EXPECT_FALSE(seen_by(law).contains("terrain")) << law;
   for (const char* law : {"impact", "sliding"}) EXPECT_FALSE(seen_by("terrain").contains(law)) << law;
 }

@@ -19,10 +19,10 @@
 #include "talus/archive/table_columns.hpp"
 #include "talus/archive/uncertainty_table.hpp"
 #include "talus/export/geopackage_rows.hpp"
+#include "talus/lines/what_if_output.hpp"
 #include "talus/maps/source_maps.hpp"
 #include "talus/model/release_columns.hpp"
 #include "talus/sensitivity/output.hpp"
-#include "talus/what_if/output.hpp"
 
 namespace talus {
 namespace {

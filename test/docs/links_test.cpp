@@ -80,7 +80,8 @@ std::vector<std::string> broken_links_of(const fs::path& page) {
 
 TEST(DocumentationLinks, AreValid) {
   std::vector<fs::path> all = pages();
-  for (const char* name : {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"}) {
+  for (const char* name :
+       {"README.md", "ARCHITECTURE.md", "EXTENDING.md", "CONTRIBUTING.md", "CHANGELOG.md", "web/README.md"}) {
     all.push_back(root / name);
   }
   EXPECT_GT(all.size(), 15U);

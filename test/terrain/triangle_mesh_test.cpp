@@ -10,7 +10,7 @@
 
 #include "support/dice.hpp"
 #include "support/meshes.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/touch.hpp"
 
 namespace talus::triangle_mesh_test {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "support/meshes.hpp"
 #include "support/scenes.hpp"
-#include "talus/flight/drag.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/drag.hpp"
+#include "talus/rocks/touch.hpp"
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 #include "trajectory/forest_scenes.hpp"

@@ -11,7 +11,7 @@
 
 #include "support/meshes.hpp"
 #include "support/scenes.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/touch.hpp"
 #include "talus/terrain/profile.hpp"
 
 namespace talus::random_rocks_test {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "talus/flight/touch.hpp"
 #include "talus/rocks/heights.hpp"
+#include "talus/rocks/touch.hpp"
 
 namespace talus {
 

@@ -13,7 +13,7 @@
 
 #include "talus/barriers/barrier.hpp"
 #include "talus/core/tolerances.hpp"
-#include "talus/flight/parabola.hpp"
+#include "talus/rocks/parabola.hpp"
 
 namespace talus {
 

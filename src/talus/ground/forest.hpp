@@ -2,7 +2,7 @@
 // The drag of forests on rocks, by density.
 //
 // RAMMS::ROCKFALL and RocFall offer an open, a medium and a dense forest, each with a drag b for the force -b v
-// (flight/drag.hpp); RocFall's help cites Bartelt et al. 2016, the manual of RAMMS::ROCKFALL. The values below are
+// (rocks/drag.hpp); RocFall's help cites Bartelt et al. 2016, the manual of RAMMS::ROCKFALL. The values below are
 // those commonly quoted from it, for stands of 20, 35 and 50 m2/ha. They could not be checked against the manual
 // itself: if a result depends on them, set the drag.
 

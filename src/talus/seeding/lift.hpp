@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "talus/core/id.hpp"
-#include "talus/flight/parabola.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/parabola.hpp"
+#include "talus/rocks/touch.hpp"
 
 namespace talus {
 

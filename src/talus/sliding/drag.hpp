@@ -5,7 +5,7 @@
 // On soft ground k is a property of the ground: the viscous part of a viscoplastic (Bingham) resistance whose constant
 // part is the friction of the contact, m dv/dt = m (pull - mu N v/|v|) - k m v. This is the ground drag of
 // RAMMS::ROCKFALL, which acts on the centre while the rock is in contact (P. Bartelt et al., RAMMS::ROCKFALL user
-// manual, WSL 2016). A forest higher than the rock's centre adds its drag (flight/drag.hpp), k = b/m.
+// manual, WSL 2016). A forest higher than the rock's centre adds its drag (rocks/drag.hpp), k = b/m.
 //
 // A leg with drag is a leg of the law without drag and with a reduced footing, such that the velocity at its end is
 // exact for straight motion:

@@ -13,7 +13,7 @@
 
 #include "talus/core/stop.hpp"
 #include "talus/core/vec.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/touch.hpp"
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 // barrier.
 
 #include "talus/core/tolerances.hpp"
-#include "talus/flight/parabola.hpp"
+#include "talus/rocks/parabola.hpp"
 
 namespace talus {
 

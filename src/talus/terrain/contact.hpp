@@ -8,7 +8,7 @@
 #include "talus/core/id.hpp"
 #include "talus/core/tolerances.hpp"
 #include "talus/core/vec.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/touch.hpp"
 
 namespace talus {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/touch.hpp"
 #include "talus/terrain/contact.hpp"
 
 namespace talus {

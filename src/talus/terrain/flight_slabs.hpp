@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "talus/core/pair.hpp"
-#include "talus/flight/parabola.hpp"
+#include "talus/rocks/parabola.hpp"
 
 namespace talus {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "talus/flight/parabola.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/parabola.hpp"
+#include "talus/rocks/touch.hpp"
 
 namespace talus {
 

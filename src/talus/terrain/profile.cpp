@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "talus/core/check.hpp"
-#include "talus/flight/touch.hpp"
+#include "talus/rocks/touch.hpp"
 #include "talus/terrain/facet_contact.hpp"
 #include "talus/terrain/height_in_sight.hpp"
 #include "talus/terrain/surface.hpp"

@@ -12,9 +12,9 @@
 
 #include "talus/barriers/passage.hpp"
 #include "talus/core/id.hpp"
-#include "talus/flight/drag.hpp"
-#include "talus/flight/parabola.hpp"
+#include "talus/rocks/drag.hpp"
 #include "talus/rocks/motion.hpp"
+#include "talus/rocks/parabola.hpp"
 
 namespace talus {
 

@@ -4,7 +4,7 @@
 
 #include <concepts>
 
-#include "talus/flight/arc_length.hpp"
+#include "talus/rocks/arc_length.hpp"
 #include "talus/sliding/closed_form.hpp"
 #include "talus/sliding/drag.hpp"
 #include "talus/sliding/stepped.hpp"

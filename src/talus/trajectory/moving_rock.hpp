@@ -9,8 +9,8 @@
 
 #include "talus/barriers/crossing.hpp"
 #include "talus/core/tolerances.hpp"
-#include "talus/flight/arc_length.hpp"
 #include "talus/impact/law.hpp"
+#include "talus/rocks/arc_length.hpp"
 #include "talus/rocks/energy.hpp"
 #include "talus/sliding/bend.hpp"
 #include "talus/sliding/supports.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "talus/core/id.hpp"
-#include "talus/flight/drag.hpp"
-#include "talus/flight/parabola.hpp"
+#include "talus/rocks/drag.hpp"
 #include "talus/rocks/motion.hpp"
+#include "talus/rocks/parabola.hpp"
 #include "talus/sliding/glide.hpp"
 #include "talus/trajectory/event.hpp"
 
@@ -27,7 +27,7 @@ struct PathRow {
 /// On the ground, `path` gives positions; velocity and spin are linear in time between the piece's ends. (In a step of
 /// a slide, `path` has the velocity of the step's end.)
 ///
-/// In a flight with drag, `path` gives positions, and its parameter runs slower than time (flight/drag.hpp): take
+/// In a flight with drag, `path` gives positions, and its parameter runs slower than time (rocks/drag.hpp): take
 /// velocities and times from the piece, not from its path.
 struct PathPiece {
   Parabola path;          // of the centre; the parameter starts at 0, and is time unless there is drag

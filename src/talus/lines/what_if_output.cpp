@@ -1,0 +1,152 @@
+#include "talus/lines/what_if_output.hpp"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+namespace talus::what_if {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::optional<Estimate> estimate_of(const std::optional<RockShare>& share) {
+  if (!share) return std::nullopt;
+  return Estimate{share->value, share->low, share->high};
+}
+
+/// How the figures of a row are named: share_change_low, energy_change_low_J.
+struct FigureName {
+  std::string_view name, unit_in_name, unit, meaning;
+};
+constexpr std::array<FigureName, 1 + MemberValues::quantities> figure_names{
+    {{"share", "", "", "share of the rocks that cross"},
+     {"energy", "_J", "J", "design percentile of the energy that the check takes"},
+     {"height", "_m", "m", "design percentile of the height of the block's top; in a polygon, of the bounce height"},
+     {"velocity", "_m_s", "m/s", "design percentile of the velocity"}}};
+
+std::vector<std::string> names_of_figures() {
+  std::vector<std::string> names;
+  for (const ColumnText& column : WhatIfRow::family_texts()) names.push_back(column.name);
+  return names;
+}
+
+WhatIfRow row_of(const Answer& answer, const Figures& figures, const Differences& differences) {
+  WhatIfRow row;
+  row.rocks = answer.rocks;
+  row.crossing = figures.rocks;
+  const auto add = [&](const std::optional<Estimate>& estimate) {
+    const Estimate known = estimate.value_or(Estimate{});
+    row.figures.push_back(estimate ? std::optional(known.value) : std::nullopt);
+    row.figures.insert(row.figures.end(), {known.low, known.high});
+  };
+  add(estimate_of(figures.share));
+  add(differences.share);
+  for (std::size_t q = 0; q < MemberValues::quantities; ++q) {
+    add(figures.percentile[q]);
+    add(differences.percentile[q]);
+  }
+  return row;
+}
+
+Json json_of(const std::optional<Estimate>& estimate) {
+  if (!estimate) return nullptr;
+  const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+  return {estimate->value, or_null(estimate->low), or_null(estimate->high)};
+}
+
+Json json_of(const std::optional<Estimate>& share,
+             const std::array<std::optional<Estimate>, MemberValues::quantities>& percentiles) {
+  Json json{{"share", json_of(share)}};
+  for (std::size_t q = 0; q < percentiles.size(); ++q) {
+    const FigureName& figure = figure_names[1 + q];
+    json[fmt::format("{}{}", figure.name, figure.unit_in_name)] = json_of(percentiles[q]);
+  }
+  return json;
+}
+
+Json json_of(const Figures& figures) {
+  Json json{{"rocks", figures.rocks}};
+  json.update(json_of(estimate_of(figures.share), figures.percentile));
+  return json;
+}
+
+Json json_of(const Differences& differences) {
+  Json json{{"gained", differences.gained}, {"lost", differences.lost}};
+  json.update(json_of(differences.share, differences.percentile));
+  return json;
+}
+
+Json json_of(const Change& change) {
+  return {{"path", {change.table, change.row, change.key}},
+          {"name", change.name},
+          {"before", change.before.value_or(nullptr)},
+          {"after", change.after.value_or(nullptr)}};
+}
+
+}  // namespace
+
+std::vector<ColumnText> WhatIfRow::family_texts() {
+  std::vector<ColumnText> texts;
+  for (const FigureName& figure : figure_names) {
+    const auto add = [&](const char* part, std::string meaning) {
+      texts.push_back({fmt::format("{}{}{}", figure.name, part, figure.unit_in_name), std::string(figure.unit),
+                       std::move(meaning)});
+    };
+    add("", std::string(figure.meaning));
+    add("_low", "lower end of its confidence interval");
+    add("_high", "upper end");
+    add("_change", fmt::format("{} minus that of the base", figure.name));
+    add("_change_low", "lower end of its confidence interval, for the same rocks");
+    add("_change_high", "upper end");
+  }
+  return texts;
+}
+
+std::string table_of(const WhatIf& what_if, const Answer& answer) {
+  std::string text = header_of<WhatIfRow>(names_of_figures());
+  WhatIfRow base = row_of(answer, answer.base, {});
+  base.factor = "base";
+  append_row(text, base);
+  for (std::size_t k = 0; k < answer.variations.size(); ++k) {
+    const Variation& variation = what_if.variations()[k];
+    const auto& [figures, differences] = answer.variations[k];
+    WhatIfRow row = row_of(answer, figures, differences);
+    row.factor = factor_kinds[variation.kind].key;
+    row.step_percent = percent_of(variation);
+    row.changes = changes_text(variation);
+    row.clipped = variation.clipped;
+    row.gained = differences.gained;
+    row.lost = differences.lost;
+    append_row(text, row);
+  }
+  return text;
+}
+
+Json json_of(const WhatIf& what_if, const Answer& answer) {
+  Json json{{"rocks", answer.rocks},
+            {"planned", answer.planned},
+            {"percentile", what_if.percentile()},
+            {"confidence", what_if.confidence()},
+            {"energy", what_if.takes_total_energy() ? "total" : "translational"},
+            {"base", json_of(answer.base)}};
+  Json& list = json["variations"] = Json::array();
+  for (std::size_t k = 0; k < answer.variations.size(); ++k) {
+    const Variation& variation = what_if.variations()[k];
+    Json changes = Json::array();
+    for (const Change& change : variation.changes) changes.push_back(json_of(change));
+    Json one{{"factor", factor_kinds[variation.kind].key},
+             {"title", factor_kinds[variation.kind].title},
+             {"step_percent", percent_of(variation)},
+             {"text", changes_text(variation)},
+             {"clipped", variation.clipped},
+             {"changes", std::move(changes)}};
+    one.update(json_of(answer.variations[k].figures));
+    one["difference"] = json_of(answer.variations[k].differences);
+    list.push_back(std::move(one));
+  }
+  return json;
+}
+
+}  // namespace talus::what_if
