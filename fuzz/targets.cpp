@@ -80,8 +80,9 @@ bool needs_files(const project::Project& project) { return !project.named_files.
 
 bool is_small(const project::Project& project) {
   const auto& terrain = project.terrain;
-  std::size_t parts = terrain.section.size() + terrain.vertices.size() + terrain.triangles.size();
-  for (const auto& line : terrain.polylines) parts += line.size();
+  std::size_t parts =
+      terrain.section.vertices.size() + terrain.inline_mesh.vertices.size() + terrain.inline_mesh.triangles.size();
+  for (const auto& line : terrain.polygons.polylines) parts += line.size();
   const bool has_cells =
       std::ranges::any_of(project.seeders, [](const project::Seeder& seeder) { return seeder.cell_m.has_value(); });
   return parts <= most_parts && !has_cells;

@@ -45,9 +45,9 @@ project::Project project_of_terrain(const SectionOptions& options, Problems& war
   project.terrain.crs = options.crs;
   const std::filesystem::path name = options.terrain.filename();
   if (is_of_kind(name, FileKind::mesh)) {
-    project.terrain.meshes = {name};
+    project.terrain.mesh.files = {name};
   } else {
-    project.terrain.raster = name;
+    project.terrain.raster.file = name;
   }
   return project;
 }

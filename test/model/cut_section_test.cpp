@@ -26,7 +26,7 @@ class CutSection : public InputFolder {
           "f 1 2 3\nf 1 3 4\nf 2 5 6\nf 2 6 3\n");
     project::Project project;
     project.file = path("roof.obj");
-    project.terrain.meshes = {"roof.obj"};
+    project.terrain.mesh.files = {"roof.obj"};
     project.terrain.crs = "local";
     return project::build_terrain(project, warnings_);
   }
@@ -94,7 +94,7 @@ TEST_F(SectionOfProject, IsThatOfItsFile) {
   write("profile.csv", "distance_m,z_m\n0,30\n10,12\n40,5\n");
   const Reading reading = read("section = \"profile.csv\"");
   EXPECT_TRUE(reading.project.is_2d());
-  EXPECT_EQ(reading.project.terrain.section, (std::vector<Corner>{{0, 30}, {10, 12}, {40, 5}}));
+  EXPECT_EQ(reading.project.terrain.section.vertices, (std::vector<Corner>{{0, 30}, {10, 12}, {40, 5}}));
   ASSERT_EQ(reading.project.named_files.size(), 1U);
   EXPECT_EQ(read("section = \"profile.csv\"\nwidth_m = 20", "[2, 5, \"surface\"]").project.is_2d(), false);
 }

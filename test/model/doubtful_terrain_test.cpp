@@ -30,8 +30,8 @@ RasterGrid inclined(double fall_m) {
 Project project_with(const char* raster, const char* mesh) {
   Project project;
   project.file = "slope.toml";
-  project.terrain.raster = raster;
-  if (*mesh != 0) project.terrain.meshes = {mesh};
+  project.terrain.raster.file = raster;
+  if (*mesh != 0) project.terrain.mesh.files = {mesh};
   return project;
 }
 
@@ -228,7 +228,7 @@ TEST(DoubtfulTerrain, IsHigherThanAnySlope) {
       "coordinates seem not to be in metres; as millimetres it would be 46.8 m high). Convert the coordinates to "
       "metres");
   Project section = project_with("", "");
-  section.terrain.section_file = "profile.csv";
+  section.terrain.section.file = "profile.csv";
   EXPECT_EQ(warning_of_size(Vec3(40000, 0, 30000), section).substr(0, 71),
             "slope.toml: warning: [terrain]: \"profile.csv\" is 30 km high and 40 km w");
 }

@@ -130,9 +130,9 @@ TEST(ReadProject, ReadsTheExample) {
   EXPECT_FALSE(project.is_2d());
   EXPECT_EQ(project.analysis.model, RockModel::lumped_mass);
   EXPECT_EQ(project.analysis.energy_datum_m, -25.0);
-  EXPECT_EQ(project.terrain.section.size(), 6u);
-  EXPECT_EQ(project.terrain.section[1], (std::array<double, 2>{3.1, -12.2}));
-  EXPECT_EQ(project.terrain.width_m, 50.0);
+  EXPECT_EQ(project.terrain.section.vertices.size(), 6u);
+  EXPECT_EQ(project.terrain.section.vertices[1], (std::array<double, 2>{3.1, -12.2}));
+  EXPECT_EQ(project.terrain.section.width_m, 50.0);
   EXPECT_EQ(project.terrain.rotate_about, (std::array<double, 3>{0, 25, 0}));
   ASSERT_EQ(project.materials.size(), 3u);
   const Material& one = project.materials[0];
@@ -246,7 +246,7 @@ direction = [0, 1, -1]
   EXPECT_EQ(seeder.volume_m3, std::nullopt);
   EXPECT_EQ(seeder.speed_m_s->mean, 3);
   EXPECT_EQ(seeder.direction, (std::array<double, 3>{0, 1, -1}));
-  EXPECT_EQ(project.terrain.triangles, (std::vector<std::array<std::int64_t, 3>>{{0, 1, 2}}));
+  EXPECT_EQ(project.terrain.inline_mesh.triangles, (std::vector<std::array<std::int64_t, 3>>{{0, 1, 2}}));
   EXPECT_EQ(project.ground.triangles, (std::vector<std::int64_t>{0}));
 }
 
@@ -328,7 +328,7 @@ TEST(ReadProject, OverridesPartsByNumberAndByName) {
   EXPECT_EQ(project.analysis.gravity_m_s2, 9.81);
   EXPECT_EQ(project.materials[0].normal_restitution.mean, 0.4);
   EXPECT_EQ(project.seeders[0].rocks, 7);
-  EXPECT_EQ(project.terrain.section[1], (std::array<double, 2>{12, -10}));
+  EXPECT_EQ(project.terrain.section.vertices[1], (std::array<double, 2>{12, -10}));
   EXPECT_EQ(project.sampling.method, SamplingMethod::latin_hypercube);
   EXPECT_EQ(project.name, "Two");
 }

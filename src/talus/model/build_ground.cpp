@@ -171,7 +171,7 @@ std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terra
   std::vector<MaterialId> of_part;
   of_part.reserve(terrain.parts);
   for (const std::string& name : ground.segments) of_part.push_back(MaterialId{*project.number_of_material(name)});
-  if (project.terrain.section_runs_leftwards()) std::reverse(of_part.begin(), of_part.end());
+  if (project.terrain.section.runs_leftwards()) std::reverse(of_part.begin(), of_part.end());
   for (const std::int64_t number : ground.triangles) of_part.push_back(MaterialId{static_cast<std::uint32_t>(number)});
   if (of_part.size() != terrain.parts) {
     Problem problem = about_ground(project, fmt::format("triangles lists {} materials", of_part.size()),

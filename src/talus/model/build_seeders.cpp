@@ -267,7 +267,7 @@ class SeederBuilder {
   /// Checks that a section with varying vertices has ground at x for every rock.
   bool check_on_varied_section(const Seeder& s, double x, const std::string& which) {
     if (!model_.varying) return true;
-    const CertainStretch certain = certain_stretch(project_.terrain);
+    const CertainStretch certain = certain_stretch(project_.terrain.section);
     const double origin = model_.frame.origin.x();
     if (x >= certain.from - origin && x <= certain.to - origin) return true;
     if (++off_terrain_ > most_reported) return false;

@@ -68,27 +68,26 @@ ProjectCrs crs_of_project(const Project& project) {
                          .hint = "Use for example \"EPSG:31287\", or \"local\""});
 }
 
-SurveyedMesh survey_mesh(const Project& project, Problems& warnings) {
-  const Terrain& terrain = project.terrain;
+GivenMesh survey_mesh(const SurveyTerrain& survey, const Project& project, Problems& warnings) {
   SurveySources sources;
-  sources.points = in_project_folder(project, terrain.points);
-  sources.point_classes = terrain.point_classes;
-  sources.points_layer = terrain.points_layer;
-  sources.lines = in_project_folder(project, terrain.lines);
-  sources.lines_layer = terrain.lines_layer;
-  sources.elevation_attribute = terrain.elevation_attribute;
-  sources.boundary = in_project_folder(project, terrain.boundary);
-  sources.boundary_layer = terrain.boundary_layer;
+  sources.points = in_project_folder(project, survey.points);
+  sources.point_classes = survey.point_classes;
+  sources.points_layer = survey.points_layer;
+  sources.lines = in_project_folder(project, survey.lines);
+  sources.lines_layer = survey.lines_layer;
+  sources.elevation_attribute = survey.elevation_attribute;
+  sources.boundary = in_project_folder(project, survey.boundary);
+  sources.boundary_layer = survey.boundary_layer;
   sources.project_crs = crs_of_project(project);
   SurveyFiles files = read_survey(sources, warnings);
 
-  SurveyedMesh out;
-  out.source = (terrain.points.empty() ? terrain.lines : terrain.points).string();
+  GivenMesh out;
+  out.source = (survey.points.empty() ? survey.lines : survey.points).string();
   SurveyOptions options;
   options.source = out.source;
   options.boundary = std::move(files.boundary);
-  options.max_edge_m = terrain.max_edge_m;
-  options.remove_spikes_m = terrain.remove_spikes_m;
+  options.max_edge_m = survey.max_edge_m;
+  options.remove_spikes_m = survey.remove_spikes_m;
   if (!files.soft_lines.empty()) add_soft_lines(files, options);
   SurveySurface surface = surface_of(files.survey, options);
   out.mesh = std::move(surface.mesh);
@@ -97,30 +96,34 @@ SurveyedMesh survey_mesh(const Project& project, Problems& warnings) {
   return out;
 }
 
-SurveyedMesh polygon_mesh(const Project& project, Problems& warnings) {
-  const Terrain& terrain = project.terrain;
-  SurveyedMesh out;
-  std::vector<SpacePolygon> polygons;
-  if (terrain.polygons.empty()) {
-    out.source = project.file.string();
-    out.crs_wkt = crs_wkt_of(project, warnings);
-    for (std::size_t i = 0; i < terrain.polylines.size(); ++i) {
+GivenMesh polygon_mesh(const PolygonTerrain& polygons, const Project& project, Problems& warnings) {
+  const double tolerance_m = project.terrain.merge_tolerance_m;
+  GivenMesh out;
+  std::vector<SpacePolygon> rings;
+  if (polygons.file.empty()) {
+    out = own_mesh(project, warnings);
+    for (std::size_t i = 0; i < polygons.polylines.size(); ++i) {
       std::vector<Vec3> ring;
-      for (const auto& [x, y, z] : terrain.polylines[i]) ring.emplace_back(x, y, z);
+      for (const auto& [x, y, z] : polygons.polylines[i]) ring.emplace_back(x, y, z);
       ring.pop_back();  // equal to the first
-      polygons.push_back({fmt::format("polylines[{}]", i), {std::move(ring)}});
+      rings.push_back({fmt::format("polylines[{}]", i), {std::move(ring)}});
     }
   } else {
-    out.source = terrain.polygons.string();
-    PolygonFile file = read_polygon_file(in_project_folder(project, terrain.polygons), terrain.polygons_layer,
-                                         crs_of_project(project), terrain.merge_tolerance_m, warnings);
+    out.source = polygons.file.string();
+    PolygonFile file = read_polygon_file(in_project_folder(project, polygons.file), polygons.layer,
+                                         crs_of_project(project), tolerance_m, warnings);
     out.crs_wkt = std::move(file.crs_wkt);
-    polygons = std::move(file.polygons);
+    rings = std::move(file.polygons);
   }
+  out.weld_tolerance_m = tolerance_m;
   PolygonReport report;
-  out.mesh = triangulated(polygons, out.source, report);
+  out.mesh = triangulated(rings, out.source, report);
   out.report = report.text();
   return out;
+}
+
+GivenMesh own_mesh(const Project& project, Problems& warnings) {
+  return {.source = project.file.string(), .crs_wkt = crs_wkt_of(project, warnings)};
 }
 
 std::string crs_wkt_of(const Project& project, Problems& warnings) {

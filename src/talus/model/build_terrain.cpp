@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "talus/core/overloaded.hpp"
 #include "talus/import/mesh_file.hpp"
 #include "talus/import/raster_file.hpp"
 #include "talus/meshing/cleaning.hpp"
@@ -20,17 +22,16 @@ namespace talus::project {
 
 namespace {
 
-std::vector<Vec2> section_vertices(const Terrain& terrain) {
+std::vector<Vec2> vertices_of(const SectionTerrain& section) {
   std::vector<Vec2> vertices;
-  for (const auto& [x, z] : terrain.section) vertices.emplace_back(x, z);
+  for (const auto& [x, z] : section.vertices) vertices.emplace_back(x, z);
   // A section from left to right has the ground on its right.
-  if (terrain.section_runs_leftwards()) std::reverse(vertices.begin(), vertices.end());
+  if (section.runs_leftwards()) std::reverse(vertices.begin(), vertices.end());
   return vertices;
 }
 
-BuiltTerrain section_terrain(const Project& project) {
-  const Terrain& terrain = project.terrain;
-  std::vector<Vec2> vertices = section_vertices(terrain);
+BuiltTerrain section_terrain(const SectionTerrain& section) {
+  std::vector<Vec2> vertices = vertices_of(section);
   Box box;
   for (const Vec2& v : vertices) box.grow(Vec3(v.x(), 0, v.y()));
   BuiltTerrain built;
@@ -38,9 +39,9 @@ BuiltTerrain section_terrain(const Project& project) {
   for (Vec2& v : vertices) v -= Vec2(built.frame.origin.x(), built.frame.origin.z());
   built.parts = vertices.size() - 1;
   built.surface = Profile(vertices);
-  if (!terrain.section_std_dev_m.empty()) {
-    auto deviations = terrain.section_std_dev_m;
-    if (terrain.section_runs_leftwards()) std::reverse(deviations.begin(), deviations.end());
+  if (!section.std_dev_m.empty()) {
+    auto deviations = section.std_dev_m;
+    if (section.runs_leftwards()) std::reverse(deviations.begin(), deviations.end());
     VaryingSection varying{vertices, {}};
     for (const auto& [sx, sz] : deviations) {
       const auto shift = [](double s) {
@@ -57,7 +58,7 @@ BuiltTerrain section_terrain(const Project& project) {
 
 /// A mesh has no coordinate system, but with degrees on plan and metres in height it becomes a wall: no terrain is ten
 /// times as high as it is wide.
-void refuse_degrees(const RawMesh& mesh, const Project& project) {
+void refuse_degrees(const RawMesh& mesh, const std::filesystem::path& file) {
   constexpr double steepest = 10;
   constexpr double widest = 10;  // degrees
   Box box;
@@ -66,7 +67,7 @@ void refuse_degrees(const RawMesh& mesh, const Project& project) {
   const bool may_be_degrees = box.low.x() >= -180 && box.high.x() <= 180 && box.low.y() >= -90 && box.high.y() <= 90;
   if (!may_be_degrees || size.xy().largest() > widest || size.z() < steepest * size.xy().largest()) return;
   throw BadInput(
-      Problem{.file = project.terrain.meshes.front().string(),
+      Problem{.file = file.string(),
               .what = "seems to be in degrees",
               .why = fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g} and is {:.4g} m high",
                                  box.low.x(), box.high.x(), box.low.y(), box.high.y(), size.z()),
@@ -97,20 +98,22 @@ void turn_up(RawMesh& mesh) {
 }
 
 /// The triangles of all files, in their order.
-SurveyedMesh meshes_of_files(const Project& project, Problems& warnings) {
-  const Terrain& terrain = project.terrain;
-  SurveyedMesh out;
+GivenMesh meshes_of_files(const MeshTerrain& meshes, const Project& project, Problems& warnings) {
+  const bool are_several = meshes.files.size() > 1;
+  GivenMesh out;
+  out.is_of_mesh_files = true;
+  if (are_several) out.weld_tolerance_m = project.terrain.merge_tolerance_m;
   RawMesh& all = out.mesh;
   Problems problems;
-  for (const std::filesystem::path& file : terrain.meshes) {
+  for (const std::filesystem::path& file : meshes.files) {
     try {
       RawMesh mesh = read_mesh_file(project.file.parent_path() / file, warnings);
-      refuse_heights(mesh, file, terrain.up);
+      refuse_heights(mesh, file, meshes.up);
       const std::size_t vertices = all.vertices.size(), triangles = all.triangles.size();
       constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max();
       if (vertices + mesh.vertices.size() > most || triangles + mesh.triangles.size() > most)
         throw BadInput(Problem{.file = file.string(), .what = "is too large", .why = "together with those before it"});
-      if (terrain.meshes.size() == 1) {
+      if (!are_several) {
         all = std::move(mesh);
         break;
       }
@@ -129,56 +132,44 @@ SurveyedMesh meshes_of_files(const Project& project, Problems& warnings) {
     }
   }
   if (problems.has_errors()) throw BadInput(problems);
-  if (terrain.up == UpAxis::y) turn_up(all);
-  if (terrain.crs.empty()) refuse_degrees(all, project);
+  if (meshes.up == UpAxis::y) turn_up(all);
+  if (project.terrain.crs.empty()) refuse_degrees(all, meshes.files.front());
   warn_of_steep_mesh(all, project, warnings);
-  out.source = fmt::format("{}", fmt::join(names_of_meshes(project), ", "));
+  out.source = fmt::format("{}", fmt::join(names_of_meshes(meshes), ", "));
   out.crs_wkt = crs_wkt_of(project, warnings);
   return out;
 }
 
-SurveyedMesh raw_mesh(const Project& project, Problems& warnings) {
-  const Terrain& terrain = project.terrain;
-  if (project.has_survey()) return survey_mesh(project, warnings);
-  SurveyedMesh out;
-  RawMesh& mesh = out.mesh;
-  if (!terrain.polylines.empty() || !terrain.polygons.empty()) {
-    out = polygon_mesh(project, warnings);
-  } else if (!terrain.section.empty()) {
-    mesh = extruded(section_vertices(terrain), *terrain.width_m);
-  } else if (!terrain.meshes.empty()) {
-    out = meshes_of_files(project, warnings);
-  } else {
-    for (const auto& [x, y, z] : terrain.vertices) mesh.vertices.emplace_back(x, y, z);
-    for (const auto& [a, b, c] : terrain.triangles) {
-      mesh.triangles.push_back(
-          {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
-    }
-  }
-  const auto& about = terrain.rotate_about;
-  turn(mesh, terrain.rotate_deg, {about[0], about[1], about[2]});
-  if (out.source.empty()) {
-    out.source = project.file.string();
-    out.crs_wkt = crs_wkt_of(project, warnings);
+GivenMesh extruded_section(const SectionTerrain& section, const Project& project, Problems& warnings) {
+  GivenMesh out = own_mesh(project, warnings);
+  out.mesh = extruded(vertices_of(section), *section.width_m);
+  out.triangles_per_part = 2;
+  return out;
+}
+
+GivenMesh inline_triangles(const InlineTerrain& given, const Project& project, Problems& warnings) {
+  GivenMesh out = own_mesh(project, warnings);
+  for (const auto& [x, y, z] : given.vertices) out.mesh.vertices.emplace_back(x, y, z);
+  for (const auto& [a, b, c] : given.triangles) {
+    out.mesh.triangles.push_back(
+        {static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(c)});
   }
   return out;
 }
 
-BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
-  SurveyedMesh raw = raw_mesh(project, warnings);
-  const bool is_extruded = !project.terrain.section.empty();
-  const bool is_merged =
-      !project.terrain.polylines.empty() || !project.terrain.polygons.empty() || project.terrain.meshes.size() > 1;
+BuiltTerrain mesh_terrain(GivenMesh given, const Project& project, Problems& warnings) {
+  const auto& [about_x, about_y, about_z] = project.terrain.rotate_about;
+  turn(given.mesh, project.terrain.rotate_deg, {about_x, about_y, about_z});
+  const std::uint32_t per_part = given.triangles_per_part;
   BuiltTerrain built;
-  built.parts = is_extruded ? raw.mesh.triangles.size() / 2 : raw.mesh.triangles.size();
-  built.crs_wkt = std::move(raw.crs_wkt);
+  built.parts = given.mesh.triangles.size() / per_part;
+  built.crs_wkt = std::move(given.crs_wkt);
   const CleanMesh mesh =
-      clean(std::move(raw.mesh),
-            {.source = raw.source, .weld_tolerance_m = is_merged ? project.terrain.merge_tolerance_m : 0});
-  if (!project.terrain.meshes.empty()) warn_of_overhangs(mesh, project, warnings);
-  built.report = raw.report + (raw.report.empty() ? "" : "\n") + mesh.report.text();
+      clean(std::move(given.mesh), {.source = given.source, .weld_tolerance_m = given.weld_tolerance_m});
+  if (given.is_of_mesh_files) warn_of_overhangs(mesh, project, warnings);
+  built.report = given.report + (given.report.empty() ? "" : "\n") + mesh.report.text();
   std::vector<std::uint32_t> part_of_facet;
-  for (const std::uint32_t original : mesh.original) part_of_facet.push_back(is_extruded ? original / 2 : original);
+  for (const std::uint32_t original : mesh.original) part_of_facet.push_back(original / per_part);
   built.part_of_facet = std::move(part_of_facet);
 
   if (!project.ground.raster.empty() || !project.ground.polygons.empty() || !project.areas.empty()) {
@@ -198,16 +189,15 @@ BuiltTerrain mesh_terrain(const Project& project, Problems& warnings) {
   return built;
 }
 
-BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
-  RasterFile file =
-      read_raster_file(project.file.parent_path() / project.terrain.raster, warnings, crs_of_project(project));
+BuiltTerrain raster_terrain(const RasterTerrain& raster, const Project& project, Problems& warnings) {
+  RasterFile file = read_raster_file(project.file.parent_path() / raster.file, warnings, crs_of_project(project));
   RasterGrid& grid = file.grid;
   warn_of_steep_raster(grid, project, warnings);
   warn_of_coarse_raster(grid, project, warnings);
   BuiltTerrain built;
   const std::uint64_t cells = (std::uint64_t{grid.columns} - 1) * (grid.rows - 1);
-  built.report = fmt::format("{}: {} x {} nodes, {:.6g} x {:.6g} m apart, {}, {} without data",
-                             project.terrain.raster.string(), grid.columns, grid.rows, grid.dx, grid.dy,
+  built.report = fmt::format("{}: {} x {} nodes, {:.6g} x {:.6g} m apart, {}, {} without data", raster.file.string(),
+                             grid.columns, grid.rows, grid.dx, grid.dy,
                              file.crs_name.empty() ? "no coordinate system" : file.crs_name, file.without_data);
   built.parts = cells;
   built.crs_wkt = std::move(file.crs_wkt);
@@ -223,8 +213,20 @@ BuiltTerrain raster_terrain(const Project& project, Problems& warnings) {
 }  // namespace
 
 BuiltTerrain build_terrain(const Project& project, Problems& warnings) {
-  if (!project.terrain.raster.empty()) return raster_terrain(project, warnings);
-  BuiltTerrain built = project.is_2d() ? section_terrain(project) : mesh_terrain(project, warnings);
+  const auto meshed = [&](GivenMesh given) { return mesh_terrain(std::move(given), project, warnings); };
+  BuiltTerrain built = std::visit(
+      Overloaded{
+          [&](const SectionTerrain& section) {
+            return section.width_m ? meshed(extruded_section(section, project, warnings)) : section_terrain(section);
+          },
+          [&](const MeshTerrain& meshes) { return meshed(meshes_of_files(meshes, project, warnings)); },
+          [&](const InlineTerrain& given) { return meshed(inline_triangles(given, project, warnings)); },
+          [&](const RasterTerrain& raster) { return raster_terrain(raster, project, warnings); },
+          [&](const SurveyTerrain& survey) { return meshed(survey_mesh(survey, project, warnings)); },
+          [&](const PolygonTerrain& polygons) { return meshed(polygon_mesh(polygons, project, warnings)); },
+      },
+      project.terrain.kind());
+  if (std::holds_alternative<RasterSurface>(*built.surface)) return built;  // its reader checks heights
   const Box box = std::visit([](const auto& surface) { return surface.bounds(); }, *built.surface);
   warn_of_high_terrain(box.high - box.low, project, warnings);
   return built;

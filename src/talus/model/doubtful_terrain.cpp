@@ -1,12 +1,14 @@
 #include "talus/model/doubtful_terrain.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "talus/core/overloaded.hpp"
 #include "talus/model/coarse_raster.hpp"
 
 namespace talus::project {
@@ -18,34 +20,46 @@ constexpr double steepest_deg = 75;
 
 double degrees(double tangent) { return std::atan(tangent) * 180 / std::numbers::pi; }
 
-void warn_of_terrain(const Project& project, const std::string& files, std::string what, std::string why,
-                     std::string hint, Problems& warnings) {
+/// For messages: its file or files, or "the terrain".
+std::string name_of(const Terrain& terrain) {
+  const auto file_or_terrain = [](const std::filesystem::path& file) {
+    return file.empty() ? std::string("the terrain") : fmt::format("\"{}\"", file.string());
+  };
+  return std::visit(Overloaded{
+                        [&](const SectionTerrain& section) { return file_or_terrain(section.file); },
+                        [&](const MeshTerrain& meshes) {
+                          return fmt::format("\"{}\"", fmt::join(names_of_meshes(meshes), "\" with \""));
+                        },
+                        [&](const InlineTerrain&) { return file_or_terrain({}); },
+                        [&](const RasterTerrain& raster) { return file_or_terrain(raster.file); },
+                        [&](const SurveyTerrain& survey) {
+                          return file_or_terrain(survey.lines.empty() ? survey.points : survey.lines);
+                        },
+                        [&](const PolygonTerrain& polygons) { return file_or_terrain(polygons.file); },
+                    },
+                    terrain.kind());
+}
+
+void warn_of_terrain(const Project& project, std::string what, std::string why, std::string hint, Problems& warnings) {
   warnings.add({.severity = Severity::warning,
                 .file = project.file.string(),
                 .where = "[terrain]",
-                .what = fmt::format("{} {}", files, what),
+                .what = fmt::format("{} {}", name_of(project.terrain), what),
                 .why = std::move(why),
                 .hint = std::move(hint)});
 }
 
-std::string quoted_names(const Project& project) {
-  std::string names;
-  for (const std::string& name : names_of_meshes(project))
-    names += fmt::format("{}\"{}\"", names.empty() ? "" : " with ", name);
-  return names;
-}
-
 std::string hint_to_turn(const Project& project, const char* axis) {
-  if (project.terrain.up == UpAxis::y) return "Leave out up = \"y\" if z points up in the file";
+  if (project.terrain.mesh.up == UpAxis::y) return "Leave out up = \"y\" if z points up in the file";
   return *axis == 'y' ? "If y points up in the file, write up = \"y\" in [terrain]"
                       : "If x points up in the file, turn it so that z does";
 }
 
 }  // namespace
 
-std::vector<std::string> names_of_meshes(const Project& project) {
+std::vector<std::string> names_of_meshes(const MeshTerrain& meshes) {
   std::vector<std::string> names;
-  for (const std::filesystem::path& file : project.terrain.meshes) names.push_back(file.string());
+  for (const std::filesystem::path& file : meshes.files) names.push_back(file.string());
   return names;
 }
 
@@ -66,21 +80,19 @@ void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Proble
   const auto middle = slopes.begin() + static_cast<std::ptrdiff_t>(slopes.size() / 2);
   std::ranges::nth_element(slopes, middle);
   if (degrees(*middle) <= steepest_deg) return;
-  warn_of_terrain(project, fmt::format("\"{}\"", project.terrain.raster.string()),
-                  fmt::format("is steeper than {:.3g} degrees on half of its area", degrees(*middle)),
+  warn_of_terrain(project, fmt::format("is steeper than {:.3g} degrees on half of its area", degrees(*middle)),
                   fmt::format("its elevations seem not to be in metres; as centimetres they would make {:.2g} degrees",
                               degrees(*middle / 100)),
                   "Convert the elevations to metres", warnings);
 }
 
 void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Problems& warnings) {
-  const std::string file = fmt::format("\"{}\"", project.terrain.raster.string());
   const double cell = std::min(grid.dx, grid.dy);
   if (const auto from = interpolated_from(grid)) {
     constexpr double alike = 0.1;
     const bool is_square = std::abs(from->x() - from->y()) < alike * from->norm();
     warn_of_terrain(
-        project, file,
+        project,
         fmt::format("has cells of {:.3g} m, but its elevations seem to be interpolated from cells of about {}", cell,
                     is_square ? fmt::format("{:.2g} m", 0.5 * (from->x() + from->y()))
                               : fmt::format("{:.2g} x {:.2g} m", from->x(), from->y())),
@@ -92,7 +104,7 @@ void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Probl
   constexpr double steepest_bend_deg = 8;  // about half of the default of grazing_angle_deg
   if (!step || degrees(*step / cell) <= steepest_bend_deg) return;
   warn_of_terrain(
-      project, file, fmt::format("has elevations in steps of {:g} m", *step),
+      project, fmt::format("has elevations in steps of {:g} m", *step),
       fmt::format("with cells of {:.3g} m a step bends the ground by {:.0f} degrees", cell, degrees(*step / cell)),
       "Use a file with decimals, or average the elevations over several cells", warnings);
 }
@@ -109,7 +121,7 @@ void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& w
   const double tilt = degrees(area.xy().norm() / std::abs(area.z()));
   if (!area.is_finite() || area.norm() == 0 || !(tilt > steepest_tilt_deg)) return;
   const char* axis = std::abs(area.y()) > std::abs(area.x()) ? "y" : "x";
-  warn_of_terrain(project, quoted_names(project), "seems to lie on its side",
+  warn_of_terrain(project, "seems to lie on its side",
                   fmt::format("as a whole it is {:.0f} degrees steep and faces along {}; z points up", tilt, axis),
                   hint_to_turn(project, axis), warnings);
 }
@@ -117,14 +129,9 @@ void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& w
 void warn_of_high_terrain(const Vec3& size, const Project& project, Problems& warnings) {
   constexpr double highest_m = 9000;  // from the sea to the highest summit
   if (size.z() <= highest_m) return;
-  const Terrain& terrain = project.terrain;
-  std::string name = terrain.meshes.empty() ? "the terrain" : quoted_names(project);
-  for (const std::filesystem::path& file : {terrain.section_file, terrain.points, terrain.lines, terrain.polygons}) {
-    if (terrain.meshes.empty() && !file.empty()) name = fmt::format("\"{}\"", file.string());
-  }
   constexpr double km = 1000, millimetres = 1e-3;
   warn_of_terrain(
-      project, name, fmt::format("is {:.3g} km high and {:.3g} km wide", size.z() / km, size.xy().largest() / km),
+      project, fmt::format("is {:.3g} km high and {:.3g} km wide", size.z() / km, size.xy().largest() / km),
       fmt::format(
           "no slope is that high, so its coordinates seem not to be in metres; as millimetres it would be {:.3g} m "
           "high",
@@ -145,7 +152,7 @@ void warn_of_overhangs(const CleanMesh& mesh, const Project& project, Problems& 
   }
   if (is_closed || overhanging <= least_share * all) return;
   warn_of_terrain(
-      project, quoted_names(project), "overhangs on much of its area",
+      project, "overhangs on much of its area",
       fmt::format("{:.0f} % of the area of its facets faces downwards; z points up", 100 * overhanging / all),
       hint_to_turn(project, "y"), warnings);
 }

@@ -21,7 +21,7 @@ void warn_of_steep_raster(const RasterGrid& grid, const Project& project, Proble
 void warn_of_coarse_raster(const RasterGrid& grid, const Project& project, Problems& warnings);
 
 /// The names of the mesh files, for messages.
-[[nodiscard]] std::vector<std::string> names_of_meshes(const Project& project);
+[[nodiscard]] std::vector<std::string> names_of_meshes(const MeshTerrain& meshes);
 
 /// Adds a warning if a mesh as a whole is steeper than 60 degrees: it seems to lie on its side.
 void warn_of_steep_mesh(const RawMesh& mesh, const Project& project, Problems& warnings);

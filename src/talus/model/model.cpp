@@ -73,7 +73,7 @@ Laws laws_of(const Project& project) {
 
 TerrainParts parts_as_given(const Project& project, const BuiltTerrain& terrain) {
   TerrainParts parts{terrain.parts, terrain.part_of_facet};
-  if (!project.terrain.section_runs_leftwards()) return parts;
+  if (!project.terrain.section.runs_leftwards()) return parts;
   std::vector<std::uint32_t> of_source = *terrain.part_of_facet;
   if (of_source.empty()) {
     for (std::uint32_t k = 0; k < parts.count; ++k) of_source.push_back(k);
@@ -191,7 +191,7 @@ class Builder {
   /// Checks that a section with varying vertices has ground at the barrier for every rock.
   void check_on_varied_section(const Barrier& b) {
     if (!model_.varying) return;
-    const CertainStretch certain = certain_stretch(project_.terrain);
+    const CertainStretch certain = certain_stretch(project_.terrain.section);
     const double x = b.line.front()[0];
     if (x >= certain.from && x <= certain.to) return;
     report(b.source_line, name_in_messages(b), fmt::format("x = {:.10g} may be off the terrain", x),

@@ -229,7 +229,7 @@ class Rules {
     if (std::any_of(materials.begin(), materials.end(), [&](const toml::table* row) { return has_refused(row); }))
       return;
     Project copy = project_;  // slots are not const
-    if (!copy.terrain.section_std_dev_m.empty()) return;
+    if (!copy.terrain.section.std_dev_m.empty()) return;
     for (Material& material : copy.materials) {
       const bool is_rough = material.roughness_deg.mean > 0 || material.roughness_amplitude_m > 0;
       if (is_rough || is_random(project::table("material"), &material)) return;

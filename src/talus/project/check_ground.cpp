@@ -39,8 +39,8 @@ void GroundRules::check_default() const {
 
 void GroundRules::check_segments(Node segments) const {
   const auto& given = project.ground.segments;
-  if (accepted(terrain, "section") && project.terrain.section.size() >= 2) {
-    const std::size_t vertices = project.terrain.section.size();
+  if (accepted(terrain, "section") && project.terrain.section.vertices.size() >= 2) {
+    const std::size_t vertices = project.terrain.section.vertices.size();
     if (given.size() != vertices - 1) {
       refuse(segments, fmt::format("segments has {}", counted(given.size(), "entry", "entries")),
              fmt::format("expected {}: the section has {}", vertices - 1, counted(vertices, "vertex", "vertices")));
@@ -53,9 +53,10 @@ void GroundRules::check_segments(Node segments) const {
 
 void GroundRules::check_triangles(Node triangles) const {
   const auto& given = project.ground.triangles;
-  if (accepted(terrain, "triangles") && given.size() != project.terrain.triangles.size()) {
-    refuse(triangles, fmt::format("triangles has {}", counted(given.size(), "entry", "entries")),
-           fmt::format("expected {}, one for each triangle of the terrain", project.terrain.triangles.size()));
+  if (accepted(terrain, "triangles") && given.size() != project.terrain.inline_mesh.triangles.size()) {
+    refuse(
+        triangles, fmt::format("triangles has {}", counted(given.size(), "entry", "entries")),
+        fmt::format("expected {}, one for each triangle of the terrain", project.terrain.inline_mesh.triangles.size()));
   }
   const auto count = static_cast<std::int64_t>(project.materials.size());
   for (std::size_t i = 0; i < given.size(); ++i) {

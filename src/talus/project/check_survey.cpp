@@ -18,12 +18,12 @@ void SurveyRules::check() const {
 }
 
 void SurveyRules::check_files() const {
-  const Terrain& terrain = project.terrain;
+  const SurveyTerrain& survey = project.terrain.survey;
   const std::array<std::pair<std::string_view, const std::filesystem::path*>, 4> files{
-      {{"points", &terrain.points},
-       {"lines", &terrain.lines},
-       {"boundary", &terrain.boundary},
-       {"polygons", &terrain.polygons}}};
+      {{"points", &survey.points},
+       {"lines", &survey.lines},
+       {"boundary", &survey.boundary},
+       {"polygons", &project.terrain.polygons.file}}};
   for (const auto& [key, file] : files) {
     const auto* node = accepted(key);
     if (!node) continue;
@@ -33,8 +33,8 @@ void SurveyRules::check_files() const {
            Severity::error);
   }
   if (!accepted("points")) return;
-  if (const auto* classes = accepted("point_classes"); classes && !is_of_kind(terrain.points, FileKind::las)) {
-    report(classes, fmt::format("point_classes is given for {}", terrain.points.filename().string()),
+  if (const auto* classes = accepted("point_classes"); classes && !is_of_kind(survey.points, FileKind::las)) {
+    report(classes, fmt::format("point_classes is given for {}", survey.points.filename().string()),
            "only LAS points have classes", "Leave it out", Severity::error);
   }
 }
@@ -42,7 +42,7 @@ void SurveyRules::check_files() const {
 void SurveyRules::check_polylines() const {
   const auto* list = accepted("polylines");
   if (!list) return;
-  const auto& polylines = project.terrain.polylines;
+  const auto& polylines = project.terrain.polygons.polylines;
   if (polylines.empty()) report(list, "polylines is empty", "a terrain has at least one", "", Severity::error);
   std::size_t reported = 0;
   for (std::size_t i = 0; i < polylines.size() && reported < most_reported; ++i) {

@@ -34,17 +34,14 @@ void TerrainRules::refuse(const Spot& at, std::string what, std::string why, std
 }
 
 void TerrainRules::check() const {
-  const bool has_section = row.contains("section"), has_mesh = row.contains("mesh");
-  const bool has_triangles = row.contains("triangles"), has_vertices = row.contains("vertices");
-  const bool has_raster = row.contains("raster");
-  const bool is_surveyed =
-      row.contains("points") || row.contains("lines") || row.contains("polylines") || row.contains("polygons");
-  if (!has_section && !has_mesh && !has_triangles && !has_vertices && !has_raster && !is_surveyed &&
-      !is_mistyped(row)) {
+  const auto given =
+      std::ranges::count_if(table("terrain").keys_of_ways(), [&](std::string_view key) { return row.contains(key); });
+  if (given == 0 && !is_mistyped(row)) {
     refuse(&row, "there is no terrain",
            "expected one of section, mesh, triangles, raster, points, lines, polylines and polygons");
   }
-  if (has_triangles != has_vertices && !has_section && !has_mesh && !has_raster && !is_surveyed) {
+  const bool has_triangles = row.contains("triangles");
+  if (given == 1 && (has_triangles || row.contains("vertices"))) {
     const std::string_view missing = has_triangles ? "vertices" : "triangles";
     refuse({&row, &row, missing}, fmt::format("{} is missing", missing), "an inline mesh needs vertices and triangles");
   }
@@ -54,7 +51,7 @@ void TerrainRules::check() const {
   }
   if (const Node mesh = accepted("mesh")) check_mesh_files(mesh);
   if (const Node raster = accepted("raster")) {
-    if (const std::string why = why_unreadable(project, project.terrain.raster); !why.empty()) {
+    if (const std::string why = why_unreadable(project, project.terrain.raster.file); !why.empty()) {
       refuse(raster, fmt::format("raster is {}", quoted(*raster)), why, "The path is relative to the project file");
     }
   }
@@ -63,8 +60,8 @@ void TerrainRules::check() const {
 }
 
 void TerrainRules::check_section(Node section) const {
-  const auto& vertices = project.terrain.section;
-  const bool is_in_file = !project.terrain.section_file.empty();
+  const auto& vertices = project.terrain.section.vertices;
+  const bool is_in_file = !project.terrain.section.file.empty();
   if (is_in_file && vertices.empty()) return;  // it could not be read
   for (const std::string_view key : {"section_layer", "section_tolerance_m"}) {
     const Node only_of_file = is_in_file ? nullptr : accepted(key);
@@ -100,14 +97,14 @@ void TerrainRules::check_section(Node section) const {
 }
 
 void TerrainRules::check_deviations(Node deviations) const {
-  const auto& vertices = project.terrain.section;
-  const auto& std_devs = project.terrain.section_std_dev_m;
+  const auto& vertices = project.terrain.section.vertices;
+  const auto& std_devs = project.terrain.section.std_dev_m;
   if (std_devs.size() != vertices.size()) {
     refuse(deviations, fmt::format("section_std_dev_m has {}", counted(std_devs.size(), "entry", "entries")),
            fmt::format("expected one for each of the {} vertices of the section", vertices.size()));
     return;
   }
-  const bool is_leftward = project.terrain.section_runs_leftwards();
+  const bool is_leftward = project.terrain.section.runs_leftwards();
   std::size_t wrong = 0;
   for (std::size_t i = 0; i + 1 < vertices.size() && wrong < most_reported; ++i) {
     const std::size_t left = is_leftward ? i + 1 : i, right = is_leftward ? i : i + 1;
@@ -126,7 +123,7 @@ void TerrainRules::check_deviations(Node deviations) const {
 }
 
 void TerrainRules::check_mesh_files(Node mesh) const {
-  const auto& files = project.terrain.meshes;
+  const auto& files = project.terrain.mesh.files;
   for (std::size_t k = 0; k < files.size(); ++k) {
     const Node node = entry(mesh, k);
     const auto first = std::find(files.begin(), files.end(), files[k]);
@@ -162,10 +159,11 @@ void TerrainRules::check_mesh_file(Node mesh, const std::filesystem::path& file,
 
 void TerrainRules::check_inline_mesh() const {
   const Node node = row.get("triangles");
-  const auto count = static_cast<std::int64_t>(project.terrain.vertices.size());
-  if (project.terrain.triangles.empty()) refuse(node, "triangles is empty", "a terrain has at least one");
-  for (std::size_t i = 0; i < project.terrain.triangles.size(); ++i) {
-    const auto& [a, b, c] = project.terrain.triangles[i];
+  const auto& [vertices, triangles] = project.terrain.inline_mesh;
+  const auto count = static_cast<std::int64_t>(vertices.size());
+  if (triangles.empty()) refuse(node, "triangles is empty", "a terrain has at least one");
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& [a, b, c] = triangles[i];
     const Node triangle = entry(node, i);
     if (std::max({a, b, c}) >= count) {
       refuse(triangle, fmt::format("triangles[{}] is {}", i, quoted(*triangle)),

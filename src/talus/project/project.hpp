@@ -15,6 +15,7 @@
 #include "talus/core/vec.hpp"
 #include "talus/ground/forest.hpp"
 #include "talus/maps/map_subjects.hpp"
+#include "talus/project/terrain.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
 #include "talus/seeding/release_cells.hpp"
@@ -82,47 +83,6 @@ struct Sampling {
   std::filesystem::path parameters;  // CSV, a sample of uncertain parameters; empty: none
   std::string parameters_site;       // of a sample of several sites; empty: the only one that it may be
   std::int64_t ensembles = 50;       // with `parameters`
-};
-
-enum class UpAxis { z, y };
-
-/// [terrain]: exactly one of section, mesh (files), triangles (inline, with vertices), raster (a file), a survey
-/// (points, lines or both: files), polylines (inline) and polygons (a file). Paths are as written in the file; relative
-/// to the project file.
-struct Terrain {
-  std::vector<std::array<double, 2>> section;  // x, z; those of the file, if there is one
-  std::filesystem::path section_file;          // key `section`; as written; relative to the project file
-  std::string section_layer;
-  std::optional<double> section_tolerance_m;
-  std::vector<std::array<double, 2>> section_std_dev_m;  // of x and z, one pair per vertex, or empty; 2D only
-  std::optional<double> width_m;                         // of the extrusion along y; without it the analysis is 2D
-  std::vector<std::filesystem::path> meshes;  // key `mesh`; as written in the file; relative to the project file
-  UpAxis up = UpAxis::z;                      // of the meshes
-  std::vector<std::array<double, 3>> vertices;
-  std::vector<std::array<std::int64_t, 3>> triangles;
-  std::filesystem::path raster;  // as written in the file; relative to the project file
-  std::filesystem::path points;
-  std::vector<std::int64_t> point_classes;  // of LAS; empty: all but noise
-  std::string points_layer;
-  std::filesystem::path lines;
-  std::string lines_layer;
-  std::string elevation_attribute;
-  std::filesystem::path boundary;  // empty: the convex hull
-  std::string boundary_layer;
-  std::optional<double> max_edge_m;
-  std::optional<double> remove_spikes_m;
-  std::vector<std::vector<std::array<double, 3>>> polylines;  // closed: the last vertex is the first
-  std::filesystem::path polygons;
-  std::string polygons_layer;
-  double merge_tolerance_m = 0.001;
-  std::string crs;  // by name; "local": without a map; empty: that of the files
-  double rotate_deg = 0;
-  std::array<double, 3> rotate_about{0, 0, 0};
-
-  /// Whether the section is given from right to left. (The model has it from left to right.)
-  [[nodiscard]] bool section_runs_leftwards() const {
-    return !section.empty() && section.front()[0] > section.back()[0];
-  }
 };
 
 /// [[material]]
@@ -348,8 +308,7 @@ struct Project {
   std::vector<Layer> layers;
   std::vector<NamedFile> named_files;
 
-  [[nodiscard]] bool has_survey() const { return !terrain.points.empty() || !terrain.lines.empty(); }
-  [[nodiscard]] bool is_2d() const { return !terrain.section.empty() && !terrain.width_m; }
+  [[nodiscard]] bool is_2d() const { return !terrain.section.vertices.empty() && !terrain.section.width_m; }
   [[nodiscard]] std::uint64_t rocks() const;
   /// The index of the material of this name, if any.
   [[nodiscard]] std::optional<std::uint32_t> number_of_material(std::string_view material) const {

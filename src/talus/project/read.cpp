@@ -42,7 +42,7 @@ void complete(Project& project) {
     project.ground.default_material = project.materials.front().name;
   }
   if (project.output.raster_cell_m == 0) {
-    project.output.raster_cell_m = project.terrain.raster.empty() ? std::optional(1.0) : std::nullopt;
+    project.output.raster_cell_m = project.terrain.raster.file.empty() ? std::optional(1.0) : std::nullopt;
   }
   for (std::size_t i = 0; i < project.areas.size(); ++i) name_unnamed(project.areas[i], "area", i);
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {

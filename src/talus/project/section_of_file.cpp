@@ -8,19 +8,19 @@
 namespace talus::project {
 
 void read_section_of_file(Project& project, Problems& problems) {
-  Terrain& terrain = project.terrain;
-  if (terrain.section_file.empty()) return;
-  const std::filesystem::path file = project.file.parent_path() / terrain.section_file;
+  SectionTerrain& section = project.terrain.section;
+  if (section.file.empty()) return;
+  const std::filesystem::path file = project.file.parent_path() / section.file;
   Problems found;
   try {
-    if (std::string why = why_unreadable(project, terrain.section_file); !why.empty()) {
+    if (std::string why = why_unreadable(project, section.file); !why.empty()) {
       throw BadInput(Problem{.file = file.string(),
                              .where = {},
                              .what = "cannot be read",
                              .why = std::move(why),
                              .hint = "The path is relative to the project file"});
     }
-    terrain.section = read_section_file({file, terrain.section_layer, terrain.section_tolerance_m.value_or(0)}, found);
+    section.vertices = read_section_file({file, section.layer, section.tolerance_m.value_or(0)}, found);
   } catch (const BadInput& bad) {
     found.append(bad.problems());
   }

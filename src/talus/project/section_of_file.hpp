@@ -6,7 +6,7 @@
 
 namespace talus::project {
 
-/// Fills terrain.section from terrain.section_file, if the project names one. Errors and warnings of the file are added
+/// Fills the vertices of the section from its file, if the project names one. Errors and warnings of the file are added
 /// to `problems`, at the line that names it; after an error there are no vertices.
 void read_section_of_file(Project& project, Problems& problems);
 

@@ -14,7 +14,7 @@ inline constexpr double most_deviations_of_vertex = 3;
 struct CertainStretch {
   double from, to;
 };
-[[nodiscard]] CertainStretch certain_stretch(const Terrain& terrain);
+[[nodiscard]] CertainStretch certain_stretch(const SectionTerrain& section);
 /// Why a place outside it is refused, for a problem.
 [[nodiscard]] std::string why_uncertain(const CertainStretch& stretch);
 

@@ -18,6 +18,12 @@ std::function<Slot(Row)> member(Member Owner::*pointer) {
   return [pointer](const Row& row) -> Slot { return &(row.as<RowStruct>().*pointer); };
 }
 
+/// The slot of a member of a part of the row's struct.
+template <class Owner, class Part, class Member>
+std::function<Slot(Row)> member(Part Owner::*part, Member Part::*pointer) {
+  return [part, pointer](const Row& row) -> Slot { return &(row.as<Owner>().*part.*pointer); };
+}
+
 template <class Struct>
 std::function<Slot(Row)> plan_polygon_slot() {
   return [](const Row& row) -> Slot { return PlanPolygonSlot{&row.as<Struct>().polygon}; };
