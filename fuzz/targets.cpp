@@ -83,8 +83,8 @@ bool is_small(const project::Project& project) {
   std::size_t parts =
       terrain.section.vertices.size() + terrain.inline_mesh.vertices.size() + terrain.inline_mesh.triangles.size();
   for (const auto& line : terrain.polygons.polylines) parts += line.size();
-  const bool has_cells =
-      std::ranges::any_of(project.seeders, [](const project::Seeder& seeder) { return seeder.cell_m.has_value(); });
+  const bool has_cells = std::ranges::any_of(
+      project.seeders, [](const project::Seeder& seeder) { return seeder.in_cells.cell_m.has_value(); });
   return parts <= most_parts && !has_cells;
 }
 

@@ -113,13 +113,13 @@ TEST(Factors, ReplaceTheWordOfAForest) {
 TEST(Factors, ScaleSizesAsMasses) {
   Problems warnings;
   const auto by_diameter = vary(read(slope), 7, 1.25, "");
-  EXPECT_DOUBLE_EQ(std::pow(by_diameter.project.seeders[0].diameter_m->mean / 1.5, 3), 1.25);
+  EXPECT_DOUBLE_EQ(std::pow(by_diameter.project.seeders[0].size->distribution.mean / 1.5, 3), 1.25);
   const auto by_mass =
       vary(read(testing_tools::replaced(
                slope, "diameter_m = 1.5",
                "mass_kg = { mean = 800, distribution = \"lognormal\", std_dev = 200, rel_max = 400 }")),
            7, 1.25, "");
-  const Distribution& mass = *by_mass.project.seeders[0].mass_kg;
+  const Distribution& mass = by_mass.project.seeders[0].size->distribution;
   EXPECT_DOUBLE_EQ(mass.mean, 1000);
   EXPECT_DOUBLE_EQ(*mass.std_dev, 250);
   EXPECT_DOUBLE_EQ(*mass.rel_max, 500);

@@ -15,9 +15,7 @@ TEST(RandomProperties, AreTheSettingsDeclaredAsDistributions) {
   for (const char* const key : {"material", "seeder"}) {
     const Row row = table(key).add(project);
     for (const Setting& setting : table(key).settings) {
-      const Slot slot = setting.slot(row);
-      const bool is_random =
-          std::holds_alternative<Distribution*>(slot) || std::holds_alternative<std::optional<Distribution>*>(slot);
+      const bool is_random = is_random_property(setting.slot(row));
       const auto what = drawn(setting.key, constant(1));
       EXPECT_EQ(what.has_value(), is_random) << key << "." << setting.key;
       if (!what || setting.key == "roughness_deg") continue;

@@ -143,7 +143,7 @@ TEST(SeederPolygon, IsStoredWithoutTheRepeatedCorner) {
                               "1\ntype = \"polygon\"\npolygon = [[0, 0], [5, 0], [0, 5], [0, 0]]\ncell_m = 3\n",
                               "slope.toml")
                               .project;
-  EXPECT_EQ(project.seeders.at(0).polygon, (std::vector<std::array<double, 2>>{{0, 0}, {5, 0}, {0, 5}}));
+  EXPECT_EQ(project.seeders.at(0).in_cells.polygon, (std::vector<std::array<double, 2>>{{0, 0}, {5, 0}, {0, 5}}));
 }
 
 TEST(SeederPoints, AreReportedAtMostTenTimes) {

@@ -149,7 +149,7 @@ TEST(ReadProject, ReadsTheExample) {
   EXPECT_EQ(project.ground.segments[3], "Type Three");
   ASSERT_EQ(project.seeders.size(), 1u);
   const Seeder& seeder = project.seeders[0];
-  EXPECT_EQ(seeder.points, (std::vector<std::array<double, 3>>{{0.5, 0, 0}}));
+  EXPECT_EQ(seeder.at_points.points, (std::vector<std::array<double, 3>>{{0.5, 0, 0}}));
   EXPECT_EQ(seeder.rocks, 50);
   EXPECT_EQ(seeder.horizontal_velocity_m_s.std_dev, 0.15);
   ASSERT_EQ(project.barriers.size(), 1u);
@@ -180,7 +180,7 @@ TEST(ReadProject, FillsInDefaults) {
   EXPECT_EQ(project.seeders[0].name, "seeder 1");
   EXPECT_EQ(project.seeders[0].rocks, 1);
   EXPECT_EQ(project.seeders[0].line, 6);
-  EXPECT_EQ(project.seeders[0].points, (std::vector<std::array<double, 3>>{{1, 0, 5}}));
+  EXPECT_EQ(project.seeders[0].at_points.points, (std::vector<std::array<double, 3>>{{1, 0, 5}}));
   EXPECT_EQ(project.output.endpoint_limit, std::nullopt);
   EXPECT_EQ(project.output.path_limit, 2000);
 }
@@ -207,17 +207,17 @@ TEST(ReadProject, AcceptsABarrierOnPlanIn2D) {
 
 TEST(ReadProject, ReadsPositionsOnTheSurface) {
   const Project project = read_with(smallest, {"seeder.0.position=[1, \"surface\"]"});
-  EXPECT_TRUE(project.seeders[0].z_is_surface);
-  EXPECT_EQ(project.seeders[0].points[0], (std::array<double, 3>{1, 0, 0}));
+  EXPECT_TRUE(project.seeders[0].at_points.z_is_surface);
+  EXPECT_EQ(project.seeders[0].at_points.points[0], (std::array<double, 3>{1, 0, 0}));
 }
 
 TEST(ReadProject, ReadsPositionsAboveTheSurface) {
   for (const char* position : {"[1]", "[1, \"surface\"]"}) {
     const Project project =
         read_with(smallest, {std::string("seeder.0.position=") + position, "seeder.0.height_above_m=2"});
-    EXPECT_FALSE(project.seeders[0].z_is_surface) << position;
+    EXPECT_FALSE(project.seeders[0].at_points.z_is_surface) << position;
     EXPECT_EQ(project.seeders[0].height_above_m, 2.0) << position;
-    EXPECT_EQ(project.seeders[0].points[0], (std::array<double, 3>{1, 0, 0})) << position;
+    EXPECT_EQ(project.seeders[0].at_points.points[0], (std::array<double, 3>{1, 0, 0})) << position;
   }
 }
 
@@ -241,9 +241,9 @@ direction = [0, 1, -1]
   EXPECT_FALSE(project.is_2d());
   const Seeder& seeder = project.seeders[0];
   EXPECT_EQ(seeder.type, SeederType::line);
-  EXPECT_EQ(seeder.points, (std::vector<std::array<double, 3>>{{1, 1, 0}, {1, 2, 0}, {2, 2, 0}}));
-  EXPECT_EQ(seeder.diameter_m->kind, DistributionKind::uniform);
-  EXPECT_EQ(seeder.volume_m3, std::nullopt);
+  EXPECT_EQ(seeder.at_points.points, (std::vector<std::array<double, 3>>{{1, 1, 0}, {1, 2, 0}, {2, 2, 0}}));
+  EXPECT_EQ(seeder.size->of, SizeOf::diameter);
+  EXPECT_EQ(seeder.size->distribution.kind, DistributionKind::uniform);
   EXPECT_EQ(seeder.speed_m_s->mean, 3);
   EXPECT_EQ(seeder.direction, (std::array<double, 3>{0, 1, -1}));
   EXPECT_EQ(project.terrain.inline_mesh.triangles, (std::vector<std::array<std::int64_t, 3>>{{0, 1, 2}}));

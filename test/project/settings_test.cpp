@@ -30,7 +30,7 @@ TEST(Settings, NoTwoKeysFillOneMember) {
       const void* member = std::visit(
           [](auto slot) -> const void* {
             if constexpr (std::is_pointer_v<decltype(slot)>) return slot;
-            return nullptr;  // position and points share a member on purpose
+            return nullptr;  // position and points share a member on purpose, as do the sizes
           },
           setting.slot(row));
       if (!member) continue;
@@ -137,6 +137,7 @@ struct IsNumber {
   bool operator()(PointsSlot) const { return true; }
   bool operator()(PlanLineSlot) const { return true; }
   bool operator()(PlanPolygonSlot) const { return true; }
+  bool operator()(SizeSlot) const { return true; }
   bool operator()(DirectionSlot) const { return true; }
   bool operator()(LimitSlot) const { return true; }
   bool operator()(MapCellSlot) const { return true; }

@@ -139,7 +139,7 @@ TEST(PreparedSite, GivesTheRocksOfARunOfTheSameProject) {
   const SetOutcome outcome = site.run(numbers, {0.3, 250, 9});
   project::Project project = project_of(slope);
   project.materials[0].normal_restitution.mean = 0.3;
-  project.seeders[0].mass_kg->mean = 250;
+  project.seeders[0].size->distribution.mean = 250;
   project.analysis.gravity_m_s2 = 9;
   Problems warnings;
   const Model model = project::build_model(project, warnings);

@@ -218,11 +218,12 @@ TEST(RepositoryCases, RotateTheSeederWithTheTerrain) {
     EXPECT_EQ(p.terrain.rotate_deg, degrees);
     ASSERT_EQ(p.seeders.size(), 1u);
     const std::array<Vec3, 2> ends{Vec3(0.5, -25, 0), Vec3(0.5, 25, 0)};  // from the axis at (0, 25, 0)
-    ASSERT_EQ(p.seeders[0].points.size(), 2u);
+    ASSERT_EQ(p.seeders[0].at_points.points.size(), 2u);
     for (std::size_t e = 0; e < 2; ++e) {
       const Vec3 expected = turned(ends[e], cosine, sine) + Vec3(0, 25, 0);
       for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_NEAR(p.seeders[0].points[e][static_cast<std::size_t>(axis)], expected[axis], 1e-13) << run.name;
+        EXPECT_NEAR(p.seeders[0].at_points.points[e][static_cast<std::size_t>(axis)], expected[axis], 1e-13)
+            << run.name;
       }
     }
     EXPECT_NEAR(p.seeders[0].direction->at(0), cosine, 1e-15);

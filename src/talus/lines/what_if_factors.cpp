@@ -76,10 +76,10 @@ class Varying {
 
   void seeder(std::size_t row) {
     if (kind_.key != "mass") return;
-    project::Seeder& seeder = variation_.project.seeders[row];
-    if (seeder.mass_kg) distribution(*seeder.mass_kg, "seeder", row, "mass_kg", factor_);
-    if (seeder.volume_m3) distribution(*seeder.volume_m3, "seeder", row, "volume_m3", factor_);
-    if (seeder.diameter_m) distribution(*seeder.diameter_m, "seeder", row, "diameter_m", std::cbrt(factor_));
+    std::optional<project::RockSize>& size = variation_.project.seeders[row].size;
+    if (!size) return;
+    const double factor = size->of == SizeOf::diameter ? std::cbrt(factor_) : factor_;
+    distribution(size->distribution, "seeder", row, size->key(), factor);
   }
 
   [[nodiscard]] Variation take() {
@@ -194,10 +194,7 @@ void check_material(const Project& project, const std::string& name, std::string
 /// Says what the step of the mass leaves as it is.
 void warn_of_other_sizes(const Project& project, Problems& warnings) {
   for (const project::Seeder& seeder : project.seeders) {
-    const auto is_scaled = [](const std::optional<Distribution>& size) {
-      return size && size->kind != DistributionKind::empirical;
-    };
-    if (is_scaled(seeder.mass_kg) || is_scaled(seeder.volume_m3) || is_scaled(seeder.diameter_m)) continue;
+    if (seeder.size && seeder.size->distribution.kind != DistributionKind::empirical) continue;
     warnings.add({.severity = Severity::warning,
                   .where = fmt::format("seeder \"{}\"", seeder.name),
                   .what = "keeps the sizes of its rocks",

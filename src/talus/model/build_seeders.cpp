@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "talus/core/degrees.hpp"
+#include "talus/core/overloaded.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/gdal/zone_in_easting.hpp"
 #include "talus/import/vector_file.hpp"
@@ -36,24 +37,14 @@ class SeederBuilder {
     seeder.rocks = static_cast<std::uint64_t>(s.rocks);
     if (!project_.sampling.parameters.empty())
       seeder.rocks_at_once = static_cast<std::uint64_t>(project_.sampling.ensembles);
-    if (s.z_is_surface || s.height_above_m) seeder.above_surface = s.height_above_m.value_or(0);
+    if (s.at_points.z_is_surface || s.height_above_m) seeder.above_surface = s.height_above_m.value_or(0);
     set_size_and_speed(s, seeder);
-    bool is_placed = false;
-    switch (s.type) {
-      case SeederType::point:
-        is_placed = place_at_point(s, seeder);
-        break;
-      case SeederType::line:
-        is_placed = s.lines.empty() ? place_along_points(s, seeder) : place_along_lines(s, seeder);
-        break;
-      case SeederType::polygon:
-      case SeederType::raster:
-        is_placed = place_in_cells(s, seeder);
-        break;
-      case SeederType::table:
-        is_placed = place_at_rows(s, seeder);
-        break;
-    }
+    const bool is_placed =
+        std::visit(Overloaded{[&](const AtPoints& at) { return place_at_points(s, at.points, seeder); },
+                              [&](const AlongLines& lines) { return place_along_lines(s, lines.file, seeder); },
+                              [&](const InCells& cells) { return place_in_cells(s, cells, seeder); },
+                              [&](const FromTable& table) { return place_at_rows(s, table, seeder); }},
+                   s.way());
     if (off_terrain_ > most_reported) {
       report(s, fmt::format("{} more places are off the terrain", off_terrain_ - most_reported), "", "");
     }
@@ -86,22 +77,19 @@ class SeederBuilder {
     return SourceId{index};
   }
 
-  bool place_at_point(const Seeder& s, talus::Seeder& seeder) {
-    const Vec3 place = local(s.points.front());
-    seeder.source = source_of(s.source);
-    seeder.where = place;
-    return check_on_terrain(s, place);
-  }
-
-  bool place_along_points(const Seeder& s, talus::Seeder& seeder) {
+  bool place_at_points(const Seeder& s, const std::vector<std::array<double, 3>>& points, talus::Seeder& seeder) {
     std::vector<Vec3> line;
-    for (const auto& p : s.points) line.push_back(local(p));
+    for (const auto& p : points) line.push_back(local(p));
     seeder.source = source_of(s.source);
+    if (line.size() == 1) {
+      seeder.where = line.front();
+      return check_on_terrain(s, line.front());
+    }
     seeder.where = ReleaseLines(line, seeder.source);
     return check_line(s, line, seeder.above_surface.has_value(), "");
   }
 
-  bool place_along_lines(const Seeder& s, talus::Seeder& seeder) {
+  bool place_along_lines(const Seeder& s, const std::filesystem::path& file, talus::Seeder& seeder) {
     VectorRequest request{.layer = s.layer,
                           .attributes = {},
                           .kinds = {ShapeKind::line},
@@ -111,7 +99,7 @@ class SeederBuilder {
     if (!s.source_attribute.empty()) request.attributes = {s.source_attribute};
     VectorLayer layer;
     try {
-      layer = read_vector_file(project_.file.parent_path() / s.lines, request, warnings_);
+      layer = read_vector_file(project_.file.parent_path() / file, request, warnings_);
     } catch (const BadInput& bad) {
       problems_.append(bad.problems());
       return false;
@@ -120,7 +108,7 @@ class SeederBuilder {
     const auto first_without = std::find_if_not(layer.features.begin(), layer.features.end(), has_z);
     if (!seeder.above_surface && first_without != layer.features.end()) {
       if (std::any_of(layer.features.begin(), layer.features.end(), has_z)) {
-        return report(s, fmt::format("feature {} of lines \"{}\" has no heights", first_without->id, s.lines.string()),
+        return report(s, fmt::format("feature {} of lines \"{}\" has no heights", first_without->id, file.string()),
                       "others do", "Give height_above_m to start all rocks at that height above the terrain");
       }
       seeder.above_surface = 0;
@@ -140,18 +128,19 @@ class SeederBuilder {
         lines.add(line, source);
       }
     }
-    if (lines.length() == 0) return report(s, fmt::format("lines \"{}\" have no length", s.lines.string()), "", "");
+    if (lines.length() == 0) return report(s, fmt::format("lines \"{}\" have no length", file.string()), "", "");
     report(fmt::format("seeder \"{}\": {} lines, {:.6g} m long", s.name, layer.features.size(), lines.length()));
     seeder.where = std::move(lines);
     return good;
   }
 
-  bool place_in_cells(const Seeder& s, talus::Seeder& seeder) {
+  bool place_in_cells(const Seeder& s, const InCells& given, talus::Seeder& seeder) {
     const CellContext context{project_, model_, [this](const std::string& name) { return source_of(name); }};
     std::string found;
-    auto cells = choose_cells(s, context, problems_, warnings_, found);
+    auto cells = choose_cells(s, given, context, problems_, warnings_, found);
     if (!cells) return false;
-    if (s.rocks_per_cell && !set_rocks(s, seeder, *s.rocks_per_cell, cells->cells.size(), "cells")) return false;
+    if (given.rocks_per_cell && !set_rocks(s, seeder, *given.rocks_per_cell, cells->cells.size(), "cells"))
+      return false;
     seeder.source = cells->sources.front().source;
     seeder.above_surface = s.height_above_m.value_or(0);
     report(fmt::format("{}; {} rocks", found, seeder.rocks));
@@ -160,17 +149,17 @@ class SeederBuilder {
   }
 
   /// A row of a table is a place.
-  bool place_at_rows(const Seeder& s, talus::Seeder& seeder) {
+  bool place_at_rows(const Seeder& s, const FromTable& table, talus::Seeder& seeder) {
     const ReleaseTableContext context{project_, model_, [this](const std::string& name) { return source_of(name); }};
     ReadReleases read;
     try {
-      read = read_release_table(s, context, warnings_);
+      read = read_release_table(s, table, context, warnings_);
     } catch (const BadInput& bad) {
       problems_.append(bad.problems());
       return false;
     }
     const std::size_t rows = read.table.count();
-    if (s.rocks_per_row && !set_rocks(s, seeder, *s.rocks_per_row, rows, "rows")) return false;
+    if (table.rocks_per_row && !set_rocks(s, seeder, *table.rocks_per_row, rows, "rows")) return false;
     bool good = true;
     for (std::size_t row = 0; row < rows; ++row) {
       stop_point(row);
@@ -188,8 +177,8 @@ class SeederBuilder {
                      .hint = "Leave out rocks, or give rocks_per_row"});
     }
     seeder.source = read.table.sources().front().source;
-    report(fmt::format("seeder \"{}\": {} rows of \"{}\", {}; {} rocks", s.name, rows, s.table.string(), read.columns,
-                       seeder.rocks));
+    report(fmt::format("seeder \"{}\": {} rows of \"{}\", {}; {} rocks", s.name, rows, table.file.string(),
+                       read.columns, seeder.rocks));
     seeder.where = std::move(read.table);
     return good;
   }
@@ -283,14 +272,9 @@ class SeederBuilder {
 };
 
 void SeederBuilder::set_size_and_speed(const Seeder& s, talus::Seeder& seeder) {
-  if (s.diameter_m) {
-    seeder.size_of = SizeOf::diameter;
-    seeder.size = sampler_of("diameter_m", *s.diameter_m);
-  } else if (s.volume_m3) {
-    seeder.size_of = SizeOf::volume;
-    seeder.size = sampler_of("volume_m3", *s.volume_m3);
-  } else if (s.mass_kg) {
-    seeder.size = sampler_of("mass_kg", *s.mass_kg);
+  if (s.size) {
+    seeder.size_of = s.size->of;
+    seeder.size = sampler_of(s.size->key(), s.size->distribution);
   }
   seeder.density = sampler_of("density_kg_m3", s.density_kg_m3);
   seeder.direction.reset();

@@ -36,20 +36,22 @@ struct Candidate {
 
 class Chooser {
  public:
-  Chooser(const Seeder& seeder, const CellContext& context, Problems& problems, Problems& warnings)
+  Chooser(const Seeder& seeder, const InCells& cells, const CellContext& context, Problems& problems,
+          Problems& warnings)
       : seeder_(seeder),
+        given_(cells),
         context_(context),
         problems_(problems),
         warnings_(warnings),
-        heights_(context.model, seeder.cell_m.value_or(1)),
+        heights_(context.model, cells.cell_m.value_or(1)),
         grid_(heights_.grid()),
-        least_gradient_(seeder.min_slope_deg ? gradient_squared(*seeder.min_slope_deg) * (1 - rounding) : 0),
-        most_gradient_(seeder.max_slope_deg ? gradient_squared(*seeder.max_slope_deg) * (1 + rounding) : infinity) {
-    if (!seeder.mask.empty()) mask_.emplace(folder() / seeder.mask, context.model.crs_wkt, warnings);
+        least_gradient_(cells.min_slope_deg ? gradient_squared(*cells.min_slope_deg) * (1 - rounding) : 0),
+        most_gradient_(cells.max_slope_deg ? gradient_squared(*cells.max_slope_deg) * (1 + rounding) : infinity) {
+    if (!cells.mask.empty()) mask_.emplace(folder() / cells.mask, context.model.crs_wkt, warnings);
   }
 
   std::optional<ReleaseCells> choose(std::string& report) {
-    if (!seeder_.polygons.empty() || !seeder_.polygon.empty()) {
+    if (given_.has_polygons()) {
       if (!add_cells_within_polygons()) return std::nullopt;
     } else {
       add_all_cells();
@@ -102,7 +104,7 @@ class Chooser {
     return *own_source_;
   }
   [[nodiscard]] std::string name_of_polygons() const {
-    return seeder_.polygons.empty() ? "polygon" : fmt::format("polygons \"{}\"", seeder_.polygons.string());
+    return given_.polygons.empty() ? "polygon" : fmt::format("polygons \"{}\"", given_.polygons.string());
   }
 
   /// Adds the cells within each part of each feature; later features replace earlier ones.
@@ -128,7 +130,7 @@ class Chooser {
         }
       });
     };
-    if (!seeder_.polygons.empty()) {
+    if (!given_.polygons.empty()) {
       VectorRequest request{.layer = seeder_.layer,
                             .attributes = {},
                             .kinds = {ShapeKind::polygon},
@@ -136,7 +138,7 @@ class Chooser {
                             .heights_are_used = false,
                             .terrain_crs_wkt = context_.model.crs_wkt};
       if (!seeder_.source_attribute.empty()) request.attributes = {seeder_.source_attribute};
-      const VectorLayer layer = read_vector_file(folder() / seeder_.polygons, request, warnings_);
+      const VectorLayer layer = read_vector_file(folder() / given_.polygons, request, warnings_);
       for (const VectorFeature& feature : layer.features) {
         const bool is_named = !feature.values.empty() && feature.values[0] && !feature.values[0]->empty();
         const SourceId source = is_named ? context_.source_of(*feature.values[0]) : own_source();
@@ -144,14 +146,14 @@ class Chooser {
       }
     } else {
       std::vector<std::vector<Vec3>> ring(1);
-      for (const auto& [x, y] : seeder_.polygon) ring[0].emplace_back(x, y, 0);
+      for (const auto& [x, y] : given_.polygon) ring[0].emplace_back(x, y, 0);
       take(ring, own_source());
     }
     if (elsewhere == polygons) {
       return refuse(fmt::format("{} does not reach the terrain", name_of_polygons()),
                     fmt::format("it lies within x = {:.10g} to {:.10g}, y = {:.10g} to {:.10g}; the terrain within {}",
                                 low.x(), high.x(), low.y(), high.y(), extent_of_terrain()),
-                    seeder_.polygons.empty() ? "" : "Check its extent and coordinate system with ogrinfo");
+                    given_.polygons.empty() ? "" : "Check its extent and coordinate system with ogrinfo");
     }
     if (found.empty()) {
       return refuse(fmt::format("{} contains no cell", name_of_polygons()),
@@ -214,7 +216,7 @@ class Chooser {
       } else {
         ++other_values_;
       }
-      const bool is_selected = seeder_.mask_value ? *values[i] == *seeder_.mask_value : *values[i] != 0;
+      const bool is_selected = given_.mask_value ? *values[i] == *given_.mask_value : *values[i] != 0;
       if (is_selected) kept_[end++] = kept_[masked_ + i];
     }
     kept_.resize(end);
@@ -222,7 +224,7 @@ class Chooser {
   }
 
   bool report_result() {
-    const bool by_polygon = !seeder_.polygons.empty() || !seeder_.polygon.empty();
+    const bool by_polygon = given_.has_polygons();
     if (with_data_ == 0) {
       return refuse("the terrain has no data there",
                     fmt::format("none of {} cells of {:g} x {:g} m{} has data with its eight neighbours", candidates_,
@@ -230,7 +232,7 @@ class Chooser {
     }
     if (steep_enough_ == 0) return refuse_slope();
     if (mask_ && kept_.empty()) return refuse_mask();
-    if (mask_ && !seeder_.mask_value) warn_of_mask_fillers();
+    if (mask_ && !given_.mask_value) warn_of_mask_fillers();
     if (by_polygon && with_data_ < candidates_) {
       warn(fmt::format("{} of {} cells are left out", candidates_ - with_data_, candidates_),
            "they or one of their eight neighbours have no data, or lie on the edge of the terrain");
@@ -245,29 +247,29 @@ class Chooser {
     };
     const bool too_gentle = steepest_.gradient < least_gradient_;
     if (too_gentle) {
-      return refuse(fmt::format("no cell is as steep as {:g} deg", *seeder_.min_slope_deg),
+      return refuse(fmt::format("no cell is as steep as {:g} deg", *given_.min_slope_deg),
                     fmt::format("the steepest of {} cells has {:.4g} deg, at {}", with_data_,
                                 in_degrees(steepest_.gradient), place(steepest_.cell)));
     }
     if (gentlest_.gradient > most_gradient_) {
-      return refuse(fmt::format("no cell is as gentle as {:g} deg", *seeder_.max_slope_deg),
+      return refuse(fmt::format("no cell is as gentle as {:g} deg", *given_.max_slope_deg),
                     fmt::format("the gentlest of {} cells has {:.4g} deg, at {}", with_data_,
                                 in_degrees(gentlest_.gradient), place(gentlest_.cell)));
     }
-    return refuse(fmt::format("no cell is {:g} to {:g} deg steep", *seeder_.min_slope_deg, *seeder_.max_slope_deg),
+    return refuse(fmt::format("no cell is {:g} to {:g} deg steep", *given_.min_slope_deg, *given_.max_slope_deg),
                   fmt::format("the {} cells have {:.4g} to {:.4g} deg", with_data_, in_degrees(gentlest_.gradient),
                               in_degrees(steepest_.gradient)));
   }
 
   bool refuse_mask() {
-    const std::string file = seeder_.mask.string();
+    const std::string file = given_.mask.string();
     if (mask_->points_within() == 0) {
       return refuse(fmt::format("mask \"{}\" does not reach the terrain", file),
                     "the terrain lies within " + extent_of_terrain(),
                     "Check its extent and coordinate system with gdalinfo");
     }
-    return refuse(seeder_.mask_value ? fmt::format("mask \"{}\" has {} in none of the cells", file, *seeder_.mask_value)
-                                     : fmt::format("mask \"{}\" is 0 in all of the cells", file),
+    return refuse(given_.mask_value ? fmt::format("mask \"{}\" has {} in none of the cells", file, *given_.mask_value)
+                                    : fmt::format("mask \"{}\" is 0 in all of the cells", file),
                   fmt::format("of {} cells it has {}", steep_enough_, values_in_mask()));
   }
 
@@ -294,7 +296,7 @@ class Chooser {
     });
     if (filler == selecting.end()) return;
     const auto other = std::ranges::find_if(selecting, [&](std::int32_t value) { return value != *filler; });
-    warn(fmt::format("mask \"{}\" selects cells by the value {}", seeder_.mask.string(), *filler),
+    warn(fmt::format("mask \"{}\" selects cells by the value {}", given_.mask.string(), *filler),
          fmt::format("every value but 0 does; of {} cells it has {}", steep_enough_, values_in_mask()),
          fmt::format("If {0} means no data, declare it: gdal_translate -a_nodata {0}{1}", *filler,
                      other == selecting.end() ? "" : fmt::format("; or choose a value: mask_value = {}", *other)));
@@ -321,7 +323,7 @@ class Chooser {
     cells.dx = grid_.dx;
     cells.dy = grid_.dy;
     cells.columns = grid_.columns;
-    cells.place = seeder_.place;
+    cells.place = given_.place;
     cells.cells.reserve(kept_.size());
     for (const Placed& kept : placed) {
       if (cells.sources.empty() || cells.sources.back().source != kept.source) {
@@ -333,6 +335,7 @@ class Chooser {
   }
 
   const Seeder& seeder_;
+  const InCells& given_;
   const CellContext& context_;
   Problems& problems_;
   Problems& warnings_;
@@ -356,22 +359,22 @@ class Chooser {
 
 }  // namespace
 
-std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellContext& context, Problems& problems,
-                                         Problems& warnings, std::string& report) {
+std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const InCells& cells, const CellContext& context,
+                                         Problems& problems, Problems& warnings, std::string& report) {
   constexpr double most_cells = 4294967295.0;  // 32-bit indices
-  const double count = CellHeights::count(context.model, seeder.cell_m.value_or(1));
+  const double count = CellHeights::count(context.model, cells.cell_m.value_or(1));
   if (count > most_cells) {
     problems.add(
         {.file = context.project.file.string(),
          .line = seeder.line,
          .where = fmt::format("seeder \"{}\"", seeder.name),
-         .what = fmt::format("cell_m is {:g}", seeder.cell_m.value_or(1)),
+         .what = fmt::format("cell_m is {:g}", cells.cell_m.value_or(1)),
          .why = fmt::format("the terrain would have {:.4g} such cells; expected at most {:.0f}", count, most_cells),
          .hint = {}});
     return std::nullopt;
   }
   try {
-    return Chooser(seeder, context, problems, warnings).choose(report);
+    return Chooser(seeder, cells, context, problems, warnings).choose(report);
   } catch (const BadInput& bad) {
     problems.append(bad.problems());
     return std::nullopt;

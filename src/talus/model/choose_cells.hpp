@@ -22,7 +22,8 @@ struct CellContext {
 /// limits. A cell within several polygons has the source of the last one. nullopt if there is none or a file is
 /// refused, with the reason in `problems`; doubts are added to `warnings`. `report` is set to a one-line summary for
 /// the user.
-[[nodiscard]] std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const CellContext& context,
-                                                       Problems& problems, Problems& warnings, std::string& report);
+[[nodiscard]] std::optional<ReleaseCells> choose_cells(const Seeder& seeder, const InCells& cells,
+                                                       const CellContext& context, Problems& problems,
+                                                       Problems& warnings, std::string& report);
 
 }  // namespace talus::project

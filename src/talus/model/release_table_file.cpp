@@ -47,7 +47,7 @@ class RowReader {
         context_(context),
         columns_(columns),
         is_2d_(context.project.is_2d()),
-        has_own_size_(seeder.mass_kg || seeder.volume_m3 || seeder.diameter_m) {}
+        has_own_size_(seeder.size.has_value()) {}
 
   void add(const FileRow& row) {
     ++number_;
@@ -265,15 +265,16 @@ void sort_by_source(ReadReleases& read) {
 
 class TableFile {
  public:
-  TableFile(const Seeder& seeder, const ReleaseTableContext& context, Problems& warnings)
+  TableFile(const Seeder& seeder, const FromTable& table, const ReleaseTableContext& context, Problems& warnings)
       : seeder_(seeder),
+        table_(table),
         context_(context),
         warnings_(warnings),
-        path_(context.project.file.parent_path() / seeder.table),
+        path_(context.project.file.parent_path() / table.file),
         problems_(path_.string(), "rows") {}
 
   ReadReleases read() {
-    if (is_of_kind(seeder_.table, FileKind::point_text)) {
+    if (is_of_kind(table_.file, FileKind::point_text)) {
       read_text();
     } else {
       read_points();
@@ -289,10 +290,10 @@ class TableFile {
 
  private:
   [[nodiscard]] ColumnRequest request() const {
-    return {.name_column = seeder_.name_attribute,
+    return {.name_column = table_.name_attribute,
             .source_column = seeder_.source_attribute,
             .is_2d = context_.project.is_2d(),
-            .are_cut = ending_of(seeder_.table) == ".shp"};
+            .are_cut = ending_of(table_.file) == ".shp"};
   }
 
   void find_columns(std::span<const std::string> names, const ColumnRequest& request) {
@@ -374,6 +375,7 @@ class TableFile {
   }
 
   const Seeder& seeder_;
+  const FromTable& table_;
   const ReleaseTableContext& context_;
   Problems& warnings_;
   std::filesystem::path path_;
@@ -384,8 +386,9 @@ class TableFile {
 
 }  // namespace
 
-ReadReleases read_release_table(const Seeder& seeder, const ReleaseTableContext& context, Problems& warnings) {
-  return TableFile(seeder, context, warnings).read();
+ReadReleases read_release_table(const Seeder& seeder, const FromTable& table, const ReleaseTableContext& context,
+                                Problems& warnings) {
+  return TableFile(seeder, table, context, warnings).read();
 }
 
 }  // namespace talus::project

@@ -29,7 +29,7 @@ struct ReadReleases {
 /// Reads the rows; those of one source follow each other, otherwise they are in the order of the file. The columns are
 /// those of release_columns.hpp. Whether the places are on the terrain is not checked. Throws BadInput with all
 /// problems of the columns, or with the first problems of the rows.
-[[nodiscard]] ReadReleases read_release_table(const Seeder& seeder, const ReleaseTableContext& context,
-                                              Problems& warnings);
+[[nodiscard]] ReadReleases read_release_table(const Seeder& seeder, const FromTable& table,
+                                              const ReleaseTableContext& context, Problems& warnings);
 
 }  // namespace talus::project

@@ -98,9 +98,8 @@ void MaterialRules::check_roughness() const {
   if (!is_measured || rows.empty() || !rows.front()) return;
   if (std::ranges::any_of(project.materials, is_rough)) return;
   constexpr std::int64_t many = 100;  // enough that the user expects a spread
-  const bool has_many = std::ranges::any_of(project.seeders, [](const Seeder& seeder) {
-    return seeder.type == SeederType::raster || seeder.type == SeederType::polygon || seeder.rocks >= many;
-  });
+  const bool has_many = std::ranges::any_of(
+      project.seeders, [](const Seeder& seeder) { return seeder.is_of_cells() || seeder.rocks >= many; });
   if (!has_many) return;
   for (const toml::table* row : rows) {
     if (row && row->contains("roughness_deg") && !accepted(row, "roughness_deg")) return;  // refused

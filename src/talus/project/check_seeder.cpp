@@ -21,7 +21,7 @@ std::string_view SeederRules::refuse(std::string_view key, std::string what, std
 bool SeederRules::misses(std::string_view key) const { return !has(key) && !is_mistyped(table("seeder"), row, key); }
 
 void SeederRules::check() const {
-  if (type_is_known && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) check_cells();
+  if (type_is_known && seeder.is_of_cells()) check_cells();
   check_files();
   if (seeder.type != SeederType::table && misses("mass_kg") && misses("volume_m3") && misses("diameter_m")) {
     refuse("mass_kg", "the size of the rocks is missing", "expected one of mass_kg, volume_m3 and diameter_m");
@@ -32,7 +32,7 @@ std::string_view SeederRules::check_place() const {
   if (!type_is_known) return "type";
   const bool has_position = has("position"), has_points = has("points"), has_lines = has("lines");
   const std::string_view polygon = has("polygons") ? "polygons" : has("polygon") ? "polygon" : "";
-  if (is_2d && (seeder.type == SeederType::polygon || seeder.type == SeederType::raster)) {
+  if (is_2d && seeder.is_of_cells()) {
     return refuse("type", fmt::format("type is \"{}\" in 2D", word(seeder.type)), "a section has no area",
                   "Use a point or a line, or give terrain.width_m for 3D");
   }
@@ -84,9 +84,10 @@ std::string_view SeederRules::check_place() const {
 }
 
 void SeederRules::check_cells() const {
-  if (accepted("min_slope_deg") && accepted("max_slope_deg") && *seeder.min_slope_deg > *seeder.max_slope_deg) {
-    refuse("max_slope_deg", fmt::format("max_slope_deg is {:g}", *seeder.max_slope_deg),
-           fmt::format("min_slope_deg is {:g}, so no cell can meet both", *seeder.min_slope_deg));
+  const InCells& cells = seeder.in_cells;
+  if (accepted("min_slope_deg") && accepted("max_slope_deg") && *cells.min_slope_deg > *cells.max_slope_deg) {
+    refuse("max_slope_deg", fmt::format("max_slope_deg is {:g}", *cells.max_slope_deg),
+           fmt::format("min_slope_deg is {:g}, so no cell can meet both", *cells.min_slope_deg));
   }
   if (!has_grid && !is_2d && misses("cell_m")) {
     refuse("cell_m", "cell_m is missing", "the terrain is not a raster, so it has no cells of its own",
@@ -95,20 +96,21 @@ void SeederRules::check_cells() const {
 }
 
 void SeederRules::check_files() const {
+  const std::filesystem::path& table = seeder.from_table.file;
   const auto check_file = [&](std::string_view key, const std::filesystem::path& file) {
     if (!accepted(key)) return;
     const std::string why = why_unreadable(project, file);
     if (why.empty()) return;
     refuse(key, fmt::format("{} is \"{}\"", key, file.string()), why, "The path is relative to the project file");
   };
-  check_file("lines", seeder.lines);
-  check_file("polygons", seeder.polygons);
-  check_file("mask", seeder.mask);
-  check_file("table", seeder.table);
+  check_file("lines", seeder.along_lines.file);
+  check_file("polygons", seeder.in_cells.polygons);
+  check_file("mask", seeder.in_cells.mask);
+  check_file("table", table);
   if (!accepted("table") || seeder.type != SeederType::table) return;
-  const bool is_text = is_of_kind(seeder.table, FileKind::point_text);
+  const bool is_text = is_of_kind(table, FileKind::point_text);
   if (!is_text && is_2d) {
-    refuse("table", fmt::format("table is \"{}\" in 2D", seeder.table.string()), "a section has no position on a map",
+    refuse("table", fmt::format("table is \"{}\" in 2D", table.string()), "a section has no position on a map",
            "Name a text file (" + endings_in_words(FileKind::point_text) + ") with columns x_m and z_m");
   }
   if (is_text && accepted("layer"))

@@ -23,7 +23,7 @@ Written table_of(const Table& table, Row row, bool two_dimensional) {
 Json position(const Seeder& seeder, const std::array<double, 3>& point, bool two_dimensional) {
   Json out = two_dimensional ? Json{point[0]} : Json{point[0], point[1]};
   if (seeder.height_above_m) return out;
-  out.push_back(seeder.z_is_surface ? Json("surface") : Json(point[2]));
+  out.push_back(seeder.at_points.z_is_surface ? Json("surface") : Json(point[2]));
   return out;
 }
 
@@ -74,13 +74,14 @@ struct Writer {
   template <class Enumeration>
   requires std::is_enum_v<Enumeration> Written operator()(const Enumeration* value) const { return word(*value); }
   Written operator()(PositionSlot slot) const {
-    if (slot.seeder->type != SeederType::point || slot.seeder->points.empty()) return std::nullopt;
-    return position(*slot.seeder, slot.seeder->points.front(), two_dimensional);
+    if (slot.seeder->type != SeederType::point || slot.seeder->at_points.points.empty()) return std::nullopt;
+    return position(*slot.seeder, slot.seeder->at_points.points.front(), two_dimensional);
   }
   Written operator()(PointsSlot slot) const {
-    if (slot.seeder->type != SeederType::line || slot.seeder->points.empty()) return std::nullopt;
+    if (slot.seeder->type != SeederType::line || slot.seeder->at_points.points.empty()) return std::nullopt;
     Json out = Json::array();
-    for (const auto& point : slot.seeder->points) out.push_back(position(*slot.seeder, point, two_dimensional));
+    for (const auto& point : slot.seeder->at_points.points)
+      out.push_back(position(*slot.seeder, point, two_dimensional));
     return out;
   }
   Written operator()(PlanLineSlot slot) const {
@@ -92,6 +93,10 @@ struct Writer {
     return two_dimensional ? Json{(**slot.point)[0]} : Json(**slot.point);
   }
   Written operator()(PlanPolygonSlot slot) const { return (*this)(slot.polygon); }
+  Written operator()(SizeSlot slot) const {
+    Distribution* const given = distribution_in(slot);
+    return given ? (*this)(given) : std::nullopt;
+  }
   Written operator()(LawsSlot slot) const { return word(slot.analysis->laws); }
   Written operator()(LibrarySlot slot) const { return (*this)(&slot.material->like); }
   Written operator()(DirectionSlot slot) const {

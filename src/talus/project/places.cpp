@@ -49,8 +49,7 @@ std::optional<ValueReader::Position> ValueReader::position(const Value& value) {
 bool ValueReader::into(const Value& value, PositionSlot slot) {
   const std::optional<Position> read = position(value);
   if (!read) return false;
-  slot.seeder->points = {read->point};
-  slot.seeder->z_is_surface = read->on_surface && !value.row.contains("height_above_m");
+  slot.seeder->at_points = {{read->point}, read->on_surface && !value.row.contains("height_above_m")};
   return true;
 }
 
@@ -77,9 +76,10 @@ bool ValueReader::into(const Value& value, PointsSlot slot) {
                     "Leave it out");
     }
   }
-  slot.seeder->points.clear();
-  for (const Position& read : positions) slot.seeder->points.push_back(read.point);
-  slot.seeder->z_is_surface = positions[0].on_surface && !value.row.contains("height_above_m");
+  AtPoints& at = slot.seeder->at_points;
+  at.points.clear();
+  for (const Position& read : positions) at.points.push_back(read.point);
+  at.z_is_surface = positions[0].on_surface && !value.row.contains("height_above_m");
   return true;
 }
 

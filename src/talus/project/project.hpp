@@ -15,20 +15,13 @@
 #include "talus/core/vec.hpp"
 #include "talus/ground/forest.hpp"
 #include "talus/maps/map_subjects.hpp"
+#include "talus/project/seeder.hpp"
 #include "talus/project/terrain.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
-#include "talus/seeding/release_cells.hpp"
 #include "talus/trajectory/scene.hpp"
 
 namespace talus::project {
-
-/// A property with a fixed value.
-[[nodiscard]] inline Distribution constant(double value) {
-  Distribution distribution;
-  distribution.mean = value;
-  return distribution;
-}
 
 /// Whose laws rocks obey: Talus' own, or those of RocFall2 and RocFall3, which the published tables need.
 enum class LawSet { talus, rocfall };
@@ -125,44 +118,6 @@ struct Area {
   std::string material;
   std::vector<std::array<double, 2>> polygon;  // on plan
   int line = 0;                                // in the project file, for later messages
-};
-
-enum class SeederType { point, line, polygon, raster, table };
-
-/// [[seeder]]
-struct Seeder {
-  std::string name;    // default: "seeder N"
-  std::string source;  // default: the name
-  SeederType type = SeederType::point;
-  std::vector<std::array<double, 3>>
-      points;                 // one for a point, two or more for a line; 2D: y = 0. From `position` or `points`
-  bool z_is_surface = false;  // the points' z was given as "surface"
-  std::optional<double> height_above_m;        // above the surface, instead of z
-  std::filesystem::path lines;                 // of a line seeder, instead of points; relative to the project file
-  std::filesystem::path polygons;              // of a polygon seeder; relative to the project file
-  std::vector<std::array<double, 2>> polygon;  // of a polygon seeder, on plan, instead of polygons
-  std::filesystem::path table;                 // of a table seeder; relative to the project file
-  std::string layer;                           // of the file of lines, polygons or points
-  std::string source_attribute;                // of its features or rows: its values are the sources of the rocks
-  std::string name_attribute;                  // of the rows of a table; empty: `name`, if there is one
-  std::optional<double> min_slope_deg, max_slope_deg;  // of the cells of a polygon or raster seeder
-  std::filesystem::path mask;                          // a raster that selects cells; relative to the project file
-  std::optional<std::int64_t> mask_value;              // the selected value; without it, all but 0
-  std::optional<double> cell_m;                        // size of a cell if the terrain is not a raster
-  PlaceInCell place = PlaceInCell::random;
-  std::int64_t rocks = 1;
-  std::optional<std::int64_t> rocks_per_cell;  // instead of rocks
-  std::optional<std::int64_t> rocks_per_row;   // instead of rocks; of a table without either: 1
-  std::optional<Distribution> mass_kg;         // exactly one of mass, volume and diameter is given; or a table has them
-  std::optional<Distribution> volume_m3;
-  std::optional<Distribution> diameter_m;
-  Distribution density_kg_m3 = constant(2700);
-  Distribution horizontal_velocity_m_s = constant(0);
-  Distribution vertical_velocity_m_s = constant(0);           // positive up
-  std::optional<Distribution> speed_m_s;                      // along the full `direction`, instead of the two above
-  Distribution rotational_velocity_deg_s = constant(0);       // positive: rolling forwards, about up x direction
-  std::optional<std::array<double, 3>> direction{{1, 0, 0}};  // nullopt: downslope
-  int line = 0;                                               // in the project file, for later messages
 };
 
 /// [[barrier]] and [[collector]]

@@ -68,9 +68,9 @@ void complete_seeders(const Document& document, Project& project) {
     Seeder& seeder = project.seeders[i];
     const toml::table* row = rows ? (*rows)[i].as_table() : nullptr;
     if (!row) continue;
-    if (seeder.type == SeederType::table && !seeder.rocks_per_row && !row->contains("rocks")) seeder.rocks_per_row = 1;
-    const bool is_area = seeder.type == SeederType::polygon || seeder.type == SeederType::raster;
-    if (is_area && !row->contains("direction")) seeder.direction.reset();
+    std::optional<std::int64_t>& per_row = seeder.from_table.rocks_per_row;
+    if (seeder.type == SeederType::table && !per_row && !row->contains("rocks")) per_row = 1;
+    if (seeder.is_of_cells() && !row->contains("direction")) seeder.direction.reset();
   }
 }
 
@@ -83,8 +83,9 @@ Problem about_option(std::string option, std::string what, std::string why) {
 void refuse_rocks_per_place(const Project& project, std::int64_t total, Problems& problems) {
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
     const Seeder& seeder = project.seeders[i];
-    if (!seeder.rocks_per_cell && !seeder.rocks_per_row) continue;
-    const std::string_view place = seeder.rocks_per_cell ? "cell" : "row";
+    const bool is_per_cell = seeder.in_cells.rocks_per_cell.has_value();
+    if (!is_per_cell && !seeder.from_table.rocks_per_row) continue;
+    const std::string_view place = is_per_cell ? "cell" : "row";
     Problem problem = about_option(
         fmt::format("--rocks {}", total), fmt::format("cannot be shared among the {} seeders", project.seeders.size()),
         fmt::format("seeder {} has rocks_per_{}, and its {}s are not counted yet", i + 1, place, place));
@@ -159,8 +160,8 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
 
   if (overrides.rocks) {
     if (project.seeders.size() == 1) {
-      project.seeders.front().rocks_per_cell.reset();
-      project.seeders.front().rocks_per_row.reset();
+      project.seeders.front().in_cells.rocks_per_cell.reset();
+      project.seeders.front().from_table.rocks_per_row.reset();
     }
     share_rocks(project.seeders, *overrides.rocks);
   }

@@ -45,6 +45,7 @@ struct Named {
     return "true, false or list of " + words_text(words<MapSubject>());
   }
   std::string operator()(PlanPolygonSlot) const { return "list of pairs"; }
+  std::string operator()(SizeSlot) const { return (*this)(static_cast<const Distribution*>(nullptr)); }
   std::string operator()(LibrarySlot) const { return "text"; }
   std::string operator()(LawsSlot) const { return words_text(words<LawSet>()); }
   template <class Enumeration>

@@ -83,6 +83,7 @@ struct Typed {
     return {{"anyOf", Json::array({Json{{"type", "boolean"}}, std::move(names)})}};
   }
   Json operator()(PlanPolygonSlot) const { return list_of(tuple_of(number(), 2, 2), 3); }
+  Json operator()(SizeSlot) const { return (*this)(static_cast<const Distribution*>(nullptr)); }
   Json operator()(LawsSlot) const { return {{"enum", Json(words<LawSet>())}}; }
   Json operator()(LibrarySlot) const {
     Json keys = Json::array();

@@ -61,11 +61,14 @@ std::string meaning_of(const Setting& setting) {
 }
 
 bool is_random_property(const Slot& slot) {
-  return std::holds_alternative<Distribution*>(slot) || std::holds_alternative<std::optional<Distribution>*>(slot);
+  return std::holds_alternative<Distribution*>(slot) || std::holds_alternative<std::optional<Distribution>*>(slot) ||
+         std::holds_alternative<SizeSlot>(slot);
 }
 
 Distribution* distribution_in(const Slot& slot) {
   if (auto* const* const plain = std::get_if<Distribution*>(&slot)) return *plain;
+  if (const auto* const size = std::get_if<SizeSlot>(&slot))
+    return *size->size && (*size->size)->of == size->of ? &(*size->size)->distribution : nullptr;
   auto* const* const given = std::get_if<std::optional<Distribution>*>(&slot);
   return given && **given ? &***given : nullptr;
 }

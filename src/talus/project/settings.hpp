@@ -61,6 +61,10 @@ struct PlanPointSlot {
 struct PlanPolygonSlot {
   std::vector<std::array<double, 2>>* polygon;  // [[x, y], ...], three or more
 };
+struct SizeSlot {
+  std::optional<RockSize>* size;  // a random property: the size of the rocks, if it is of this kind
+  SizeOf of;
+};
 struct LibrarySlot {
   Material* material;  // the key of a library material, whose values it takes
 };
@@ -95,8 +99,8 @@ struct SlotWith<const std::tuple<Listed...>> {
                             std::vector<std::vector<std::array<double, 3>>>*, std::vector<std::string>*,
                             std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
                             std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*...,
-                            PositionSlot, PointsSlot, PlanLineSlot, PlanPointSlot, PlanPolygonSlot, LibrarySlot,
-                            LawsSlot, DirectionSlot, LimitSlot, MapCellSlot, SectionSlot, FilesSlot>;
+                            PositionSlot, PointsSlot, PlanLineSlot, PlanPointSlot, PlanPolygonSlot, SizeSlot,
+                            LibrarySlot, LawsSlot, DirectionSlot, LimitSlot, MapCellSlot, SectionSlot, FilesSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.

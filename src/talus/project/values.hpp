@@ -76,6 +76,7 @@ class ValueReader {
   bool into(const Value&, MapSubjects*);
   bool into(const Value&, PositionSlot);
   bool into(const Value&, PointsSlot);
+  bool into(const Value&, SizeSlot);
   bool into(const Value&, PlanLineSlot);
   bool into(const Value&, PlanPointSlot);
   bool into(const Value&, PlanPolygonSlot);

@@ -25,7 +25,7 @@ Table area_table() {
                .meaning = "Name of its material.",
                .source = "Talus"},
               {.key = "polygon",
-               .slot = plan_polygon_slot<Area>(),
+               .slot = [](const Row& row) -> Slot { return PlanPolygonSlot{&row.as<Area>().polygon}; },
                .unit = "m",
                .required = true,
                .meaning = "Three or more corners [x, y] on plan, in terrain coordinates. A cell or triangle of the "

@@ -24,11 +24,6 @@ std::function<Slot(Row)> member(Part Owner::*part, Member Part::*pointer) {
   return [part, pointer](const Row& row) -> Slot { return &(row.as<Owner>().*part.*pointer); };
 }
 
-template <class Struct>
-std::function<Slot(Row)> plan_polygon_slot() {
-  return [](const Row& row) -> Slot { return PlanPolygonSlot{&row.as<Struct>().polygon}; };
-}
-
 /// For a table with exactly one row: the functions `add` and `rows` of its declaration.
 template <class Struct>
 auto one_row(Struct Project::*table) {
