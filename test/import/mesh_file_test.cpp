@@ -13,7 +13,7 @@ namespace talus {
 namespace {
 
 using namespace testing_tools;
-using Triangle = std::array<std::uint32_t, 3>;
+using Corners = std::array<std::uint32_t, 3>;
 
 class MeshFile : public MeshFiles {};
 
@@ -105,7 +105,7 @@ TEST(MeshFileMutations, GiveAValidMeshOrBadInput) {
       ++read;
       EXPECT_FALSE(mesh.triangles.empty());
       for (const Vec3& v : mesh.vertices) EXPECT_TRUE(v.is_finite());
-      for (const Triangle& t : mesh.triangles) {
+      for (const Corners& t : mesh.triangles) {
         for (const std::uint32_t v : t) EXPECT_LT(v, mesh.vertices.size());
       }
     } catch (const BadInput& error) {

@@ -8,7 +8,7 @@ namespace talus {
 namespace {
 
 using namespace testing_tools;
-using Triangle = std::array<std::uint32_t, 3>;
+using Corners = std::array<std::uint32_t, 3>;
 using ::testing::ElementsAre;
 
 class MeshObj : public MeshFiles {};
@@ -18,7 +18,7 @@ TEST_F(MeshObj, ReadsVerticesAndFaces) {
                             "# a slope\nmtllib x.mtl\no slope\nv 0 0 1.5\nv 1 0 -2e-3\nv 0 +1 0\nvn 0 0 1\nvt 0 0\n"
                             "usemtl rock\ns off\ng all\nf 1 2 3\nl 1 2\n");
   EXPECT_THAT(mesh.vertices, ElementsAre(Vec3{0, 0, 1.5}, Vec3{1, 0, -0.002}, Vec3{0, 1, 0}));
-  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}));
   EXPECT_EQ(warnings(), "");
 }
 
@@ -33,16 +33,16 @@ TEST_F(MeshObj, ReadsEveryFormOfCorner) {
   const RawMesh mesh = read("a.obj", square_obj +
                                          "f 1 2 3\nf 1/1 2/2 3/3\nf 1//1 2//1 3//1\nf 1/1/1 2/2/1 3/3/1\n"
                                          "f -4 -3 -2\nf -4/-1 -3/-1 -2/-1\nf 1/ 2/ 3/\n");
-  EXPECT_THAT(mesh.triangles, ::testing::AllOf(::testing::SizeIs(7), ::testing::Each(Triangle{0, 1, 2})));
+  EXPECT_THAT(mesh.triangles, ::testing::AllOf(::testing::SizeIs(7), ::testing::Each(Corners{0, 1, 2})));
 }
 
 TEST_F(MeshObj, RelativeIndicesCountBackFromTheirLine) {
   const RawMesh mesh = read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf -3 -2 -1\nv 0 1 0\nf -4 -2 -1\n");
-  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+  EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}, Corners{0, 2, 3}));
 }
 
 TEST_F(MeshObj, FacesMayPrecedeTheirVertices) {
-  EXPECT_THAT(read("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\n").triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(read("a.obj", "f 1 2 3\nv 0 0 0\nv 1 0 0\nv 1 1 0\n").triangles, ElementsAre(Corners{0, 1, 2}));
 }
 
 TEST_F(MeshObj, IgnoresColoursAndWeights) {
@@ -54,7 +54,7 @@ TEST_F(MeshObj, LinesMayBeContinuedAndEndInCrLf) {
   const RawMesh mesh =
       read("a.obj", "\xEF\xBB\xBFv 0 \\\r\n0 0\r\nv 1 0 0 # the second\r\nv 0 1 0\r\n\r\nf 1 \\\r\n2 \\\r\n3");
   EXPECT_THAT(mesh.vertices, ElementsAre(Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}));
-  EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+  EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}));
 }
 
 TEST_F(MeshObj, ACommentThatEndsInABackslashIsNotContinued) {

@@ -10,7 +10,7 @@ namespace talus {
 namespace {
 
 using namespace testing_tools;
-using Triangle = std::array<std::uint32_t, 3>;
+using Corners = std::array<std::uint32_t, 3>;
 using ::testing::ElementsAre;
 
 class MeshPly : public MeshFiles {};
@@ -21,7 +21,7 @@ TEST_F(MeshPly, TextIsReadAsDoublesWhateverTheHeaderDeclares) {
     for (std::size_t at = 0; crlf && (at = bytes.find('\n', at)) != std::string::npos; at += 2) bytes.insert(at, "\r");
     const RawMesh mesh = read("a.ply", bytes);
     EXPECT_THAT(mesh.vertices, ElementsAre(Vec3{2'600'000.123456, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}));
-    EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+    EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}, Corners{0, 2, 3}));
     EXPECT_EQ(warnings(), "");
   }
 }
@@ -31,7 +31,7 @@ TEST_F(MeshPly, BinaryInEitherByteOrderKeepsEveryBit) {
     for (const bool faces_first : {false, true}) {
       const RawMesh mesh = read("a.ply", binary_ply(order, faces_first));
       EXPECT_EQ(mesh.vertices, swiss);
-      EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{2, 0, 1}));
+      EXPECT_THAT(mesh.triangles, ElementsAre(Corners{2, 0, 1}));
       EXPECT_EQ(warnings(), "");
     }
   }
@@ -59,7 +59,7 @@ TEST_F(MeshPly, ReadsEveryNumberType) {
     body += bytes_of(std::uint16_t{3}, little) + std::string{"\0\1\2", 3};
     const RawMesh mesh = read("a.ply", header + body + std::string{"\0\n", 2});
     EXPECT_EQ(mesh.vertices[2], (Vec3{-3, 65'535, 4'000'000'000})) << c.type;
-    EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+    EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}));
   }
 }
 

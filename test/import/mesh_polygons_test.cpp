@@ -14,12 +14,12 @@ namespace talus {
 namespace {
 
 using namespace testing_tools;
-using Triangle = std::array<std::uint32_t, 3>;
+using Corners = std::array<std::uint32_t, 3>;
 using ::testing::ElementsAre;
 
 double area_in_plan(const RawMesh& mesh) {
   double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
+  for (const Corners& t : mesh.triangles) {
     const Vec3 a = mesh.vertices[t[1]] - mesh.vertices[t[0]];
     const Vec3 b = mesh.vertices[t[2]] - mesh.vertices[t[0]];
     sum += a.cross(b).z() / 2;
@@ -30,7 +30,7 @@ double area_in_plan(const RawMesh& mesh) {
 class MeshPolygons : public MeshFiles {};
 
 TEST_F(MeshPolygons, ConvexFacesBecomeFans) {
-  EXPECT_THAT(read("a.obj", square_obj + "f 1 2 3 4\n").triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{0, 2, 3}));
+  EXPECT_THAT(read("a.obj", square_obj + "f 1 2 3 4\n").triangles, ElementsAre(Corners{0, 1, 2}, Corners{0, 2, 3}));
 }
 
 TEST_F(MeshPolygons, ConcaveFacesAreCutIntoTrianglesInside) {
@@ -71,7 +71,7 @@ TEST_F(MeshPolygons, RandomStarShapedFacesKeepTheirAreaInAnyPlane) {
     const RawMesh mesh = read("a.obj", bytes + face + "\n");
     ASSERT_EQ(mesh.triangles.size(), static_cast<std::size_t>(corners) - 2);
     double sum = 0;  // of absolute areas: equal to the face's only if no triangles overlap
-    for (const Triangle& t : mesh.triangles) {
+    for (const Corners& t : mesh.triangles) {
       sum += (mesh.vertices[t[1]] - mesh.vertices[t[0]]).cross(mesh.vertices[t[2]] - mesh.vertices[t[0]]).norm();
     }
     EXPECT_NEAR(sum, doubled_area.norm(), 1e-6) << trial;
@@ -82,12 +82,12 @@ TEST_F(MeshPolygons, CornersInLineWithTheirNeighboursGetTrianglesWithArea) {
   // (1 0 0) is on the side of the square; a fan from (0 0 0) would have a triangle without area.
   const RawMesh mesh = read("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4 5\n");
   EXPECT_EQ(mesh.triangles.size(), 3U);
-  for (const Triangle& t : mesh.triangles) EXPECT_GT(area_in_plan({mesh.vertices, {t}}), 0.5);
+  for (const Corners& t : mesh.triangles) EXPECT_GT(area_in_plan({mesh.vertices, {t}}), 0.5);
 }
 
 TEST_F(MeshPolygons, RepeatedCornersAreDropped) {
-  EXPECT_THAT(read("a.obj", square_obj + "f 1 2 2 3 1\n").triangles, ElementsAre(Triangle{0, 1, 2}));
-  EXPECT_THAT(read("b.obj", square_obj + "f 1 2 2 1\n").triangles, ElementsAre(Triangle{0, 1, 1}));
+  EXPECT_THAT(read("a.obj", square_obj + "f 1 2 2 3 1\n").triangles, ElementsAre(Corners{0, 1, 2}));
+  EXPECT_THAT(read("b.obj", square_obj + "f 1 2 2 1\n").triangles, ElementsAre(Corners{0, 1, 1}));
 }
 
 TEST_F(MeshPolygons, RefusesFacesThatCannotBeCut) {

@@ -10,7 +10,7 @@ namespace talus {
 namespace {
 
 using namespace testing_tools;
-using Triangle = std::array<std::uint32_t, 3>;
+using Corners = std::array<std::uint32_t, 3>;
 using ::testing::ElementsAre;
 
 class MeshStl : public MeshFiles {};
@@ -21,7 +21,7 @@ TEST_F(MeshStl, TextHasThreeVerticesPerTriangle) {
         "\n" + replaced(text_stl, "   vertex", "\tVertex ")}) {
     const RawMesh mesh = read("a.stl", bytes);
     EXPECT_THAT(mesh.vertices, ElementsAre(Vec3{0, 0, 0}, Vec3{1, 0, 0.5}, Vec3{0, 1, 0.25}));
-    EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}));
+    EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}));
   }
 }
 
@@ -30,7 +30,7 @@ TEST_F(MeshStl, BinaryHasThreeVerticesPerTriangle) {
     const RawMesh mesh = read("a.stl", binary_stl(2, {one_stl_triangle, one_stl_triangle}, head));
     EXPECT_EQ(mesh.vertices.size(), 6U);
     EXPECT_EQ(mesh.vertices[4], (Vec3{1, 0, 0.5}));
-    EXPECT_THAT(mesh.triangles, ElementsAre(Triangle{0, 1, 2}, Triangle{3, 4, 5}));
+    EXPECT_THAT(mesh.triangles, ElementsAre(Corners{0, 1, 2}, Corners{3, 4, 5}));
     EXPECT_EQ(warnings(), "");
   }
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "support/input_folder.hpp"
+#include "support/replaced.hpp"
 #include "talus/import/mesh_file.hpp"
 
 namespace talus::testing_tools {
@@ -94,12 +95,5 @@ inline const std::string text_stl =
     "  endloop\n endfacet\nendsolid a slope\n";
 
 inline const std::string square_obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-
-/// `text` with one part replaced, which must be there.
-[[nodiscard]] inline std::string replaced(std::string text, std::string_view old_part, std::string_view new_part) {
-  const auto at = text.find(old_part);
-  EXPECT_NE(at, std::string::npos) << old_part;
-  return text.replace(at, old_part.size(), new_part);
-}
 
 }  // namespace talus::testing_tools

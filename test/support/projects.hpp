@@ -6,18 +6,12 @@
 #include <string>
 #include <string_view>
 
+#include "support/replaced.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
 namespace talus::testing_tools {
-
-/// The text with the first occurrence of `part` replaced; a test failure if there is none.
-[[nodiscard]] inline std::string replaced(std::string text, std::string_view part, std::string_view with) {
-  const std::size_t at = text.find(part);
-  EXPECT_NE(at, std::string::npos) << "not in the text: " << part;
-  return at == std::string::npos ? text : text.replace(at, part.size(), with);
-}
 
 /// Reads a project and returns its warnings; or, if it is refused, the errors and warnings.
 [[nodiscard]] inline std::string problems_of_reading(std::string_view text, const project::Overrides& overrides = {}) {
