@@ -12,6 +12,7 @@ class BlockWorker::Held : public Observer {
   explicit Held(const SummingObserver& observer) : observer_(observer) {}
   [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return observer_.wants_rows(rock); }
   [[nodiscard]] bool wants_pieces() const override { return observer_.wants_pieces(); }
+  [[nodiscard]] bool wants_impacts(std::uint64_t rock) const override { return observer_.wants_impacts(rock); }
   [[nodiscard]] std::unique_ptr<ObserverPart> new_part() const override {
     return std::make_unique<Part>(observer_.new_part());
   }

@@ -74,6 +74,7 @@ std::uint32_t MapTile::number_at(std::uint32_t place) {
 
 template <std::uint32_t quantities>
 void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
+  static_assert(map_quantity_count == 4 && map_quantity_count <= BinCounts::most_quantities);
   Counts& counts = counts_[number];
   counts.passages += visits.size();
   std::array<float, quantities> maxima{};
@@ -107,6 +108,7 @@ void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
 }
 
 void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
+  static_assert(map_quantity_count == 4 && map_quantity_count <= BinCounts::most_quantities);
   switch (contents_.quantities()) {
     case 0:
       return add<0>(number, visits);
