@@ -21,6 +21,13 @@ bool ValueReader::into(const Value& value, MapCellSlot slot) {
   return true;
 }
 
+bool ValueReader::into(const Value& value, SizeSlot slot) {
+  RockSize read{.of = slot.of, .distribution = {}};
+  if (!into(value, &read.distribution)) return false;
+  *slot.size = read;
+  return true;
+}
+
 bool ValueReader::into(const Value& value, SectionSlot slot) {
   if (value.node.is_string()) return into(value, slot.file);
   if (!value.node.is_array()) return refuse_kind(value, "a list of vertices [x, z], or a file name in quotes");

@@ -386,13 +386,6 @@ bool ValueReader::into(const Value& value, std::optional<Distribution>* member) 
   return true;
 }
 
-bool ValueReader::into(const Value& value, SizeSlot slot) {
-  RockSize read{.of = slot.of, .distribution = {}};
-  if (!into(value, &read.distribution)) return false;
-  *slot.size = read;
-  return true;
-}
-
 bool ValueReader::into(const Value& value, MapSubjects* member) {
   if (value.node.is_boolean()) {
     bool all = false;
