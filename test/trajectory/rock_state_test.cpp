@@ -67,7 +67,7 @@ TEST(RockState, ACopyOfItsBytesGoesOnAsTheRockDoes) {
     std::optional<RunOnMesh> run(std::in_place, scene, release, draws, log);
     while (advance(*run, &stop) == RunOnMesh::Pause::stopped) {
       const RockState copy = copy_of_bytes(run->state());
-      run.emplace(scene, release.rock, copy, draws, log);
+      run.emplace(scene, release, copy, draws, log);
       ++copies;
     }
     const Motion &end = run->outcome().end, &expected = whole.outcome().end;

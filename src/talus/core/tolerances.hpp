@@ -128,7 +128,29 @@ inline constexpr double contacts_to_stuck = 40;
 /// Contacts in one place after which a rock below the stopping velocity is wedged, and rests.
 inline constexpr double contacts_to_rest = 200;
 
-// ---- impacts of bodies with a shape ----
+// ---- rocks with a shape ----
+
+/// Corners that come to the ground within this of each other strike it together [m].
+inline constexpr double one_touch = 1e-4;
+/// How near the ground [m], or the time [s], a corner is followed to its contact.
+inline constexpr double corner_gap = 1e-8;
+inline constexpr double corner_time = 1e-12;
+/// The turn of a body between two looks at its corners in a flight [rad]: they leave the chord by an eighth of its
+/// square times the reach, 1.2 mm for a metre.
+inline constexpr double turn_in_a_step = 0.1;
+/// Impacts nearer in time are one chatter [s], which ends on the ground.
+inline constexpr double quick_impact = 4e-3;
+/// The turn [rad] and the way [m] of a body in one step on the ground.
+inline constexpr double turn_in_touch = 0.02;
+inline constexpr double way_in_touch = 0.1;
+/// A corner strikes at once if it would within this share of a step.
+inline constexpr double soon_struck = 1e-3;
+/// A body is in the air again if nothing has pushed it for so long [s], and its corners are so far above the ground [m].
+inline constexpr double apart_in_flight = 0.01;
+inline constexpr double clear_in_flight = 1e-5;
+/// It rests if it has hardly moved for so long [s], and friction holds it: gravity moves it by less than this share.
+inline constexpr double quiet_at_rest = 0.3;
+inline constexpr double held_share = 1e-3;
 
 /// Sine of the angle between the slip of a contact and the friction against it, below which they are opposite.
 inline constexpr double slip_direction = 1e-12;

@@ -3,15 +3,19 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "talus/core/check.hpp"
+#include "talus/core/id.hpp"
 #include "talus/core/vec.hpp"
 
 namespace talus {
 
 struct ContactPoint {
-  Vec3 arm;     // from the rock's centre of mass to the point [m]
-  Vec3 normal;  // unit, out of the ground, roughness included
+  Vec3 arm;                  // from the rock's centre of mass to the point [m]
+  Vec3 normal;               // unit, out of the ground, roughness included
+  FacetId facet{};           // of the ground
+  std::uint32_t corner = 0;  // of a rock with a shape
 };
 
 /// In the order in which an impact law takes them. At most four: more do not change how a rigid body moves, only how

@@ -3,9 +3,9 @@
 //
 // A law is a type with
 //   rebound(approach, restitution, friction) -> Rebound
-// where restitution() draws the ground's coefficients and friction() those of a sphere's contact, each called at most
-// once: what a law does not need is not drawn. To add a law: a file here with its equations and its type, and its name
-// in the list.
+// where restitution() draws the ground's coefficients, Rn already lowered by Laws::restitution_scaling, and friction()
+// those of a sphere's contact, each called at most once: what a law does not need is not drawn. To add a law: a file
+// here with its equations and its type, and its name in the list.
 
 #include <variant>
 

@@ -246,4 +246,12 @@ RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const 
   return impact;
 }
 
+Vec3 resisted_spin(const Vec3& spin, const Vec3& n, const BodyInertia& body, double moment) {
+  const Vec3 rolling = tangential(spin, n);
+  const double rate = rolling.norm();
+  if (rate == 0 || moment == 0) return spin;
+  const Vec3 axis = rolling / rate, answer = body.inverse_inertia * axis;
+  return spin - std::min(moment, rate / axis.dot(answer)) * answer;
+}
+
 }  // namespace talus

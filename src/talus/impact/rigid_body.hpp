@@ -42,4 +42,7 @@ struct RigidBodyImpact {
 [[nodiscard]] RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const BodyInertia& body,
                                                 const ContactSet& contacts, Restitution restitution, double friction);
 
+/// The spin after a moment impulse [N m s] that resists rolling over ground of normal `n`, and ends it at most.
+[[nodiscard]] Vec3 resisted_spin(const Vec3& spin, const Vec3& n, const BodyInertia& body, double moment);
+
 }  // namespace talus

@@ -33,7 +33,7 @@ struct Release {
   const Motion& motion;
 };
 
-/// A flight, until something ends it. `path`: of the centre; its parameter starts at 0 and goes to `duration`, and is
+/// A flight until something ends it, or a piece of one in a forest. `path`: of the centre; its parameter starts at 0 and goes to `duration`, and is
 /// time unless there is drag.
 struct Flight {
   const Motion& before;

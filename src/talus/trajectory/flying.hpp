@@ -6,19 +6,24 @@
 
 namespace talus {
 
-/// How a flight ends: on the ground, at the edge of the model, or, with neither, when its time is over.
+/// How a flight ends: on the ground, at the edge of the model, or, with neither, when its time is over. `Touch`: what
+/// touches the ground.
+template <class Touch>
 struct FlightEnd {
   double t;  // [s]
-  std::optional<Contact> contact;
+  std::optional<Touch> contact;
   std::optional<Exit> exit;
   // MovingRock::max_height until then, in this flight or before [m], if the search for the contact also gives it.
   std::optional<double> max_height = {};
 };
 
+[[nodiscard]] inline FacetId facet_of(const Contact& contact) { return contact.facet; }
+
 /// At the first contact, or at t_max.
 template <class Surface>
-[[nodiscard]] FlightEnd first_contact(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
-                                      const SupportPlanes& left) {
+[[nodiscard]] FlightEnd<Contact> first_contact(const MovingRock<Surface>& rock, const Flying& phase,
+                                               const Parabola& path, const LinearDrag&, double t_max) {
+  const SupportPlanes left = rock.planes_of(phase.left);
   if constexpr (requires { rock.surface.flight(path, rock.reach, t_max, left, 0.0); }) {
     const auto [contact, max_height] = rock.surface.flight(path, rock.reach, t_max, left, rock.max_height);
     if (contact) return {contact->t, contact, {}, max_height};
@@ -29,25 +34,37 @@ template <class Surface>
   }
 }
 
-template <class Surface>
-[[nodiscard]] FlightEnd end_of_flight(const MovingRock<Surface>& rock, const Parabola& path, double t_max,
-                                      const SupportPlanes& left) {
-  const FlightEnd end = first_contact(rock, path, t_max, left);
+template <class Surface, class InAir>
+[[nodiscard]] auto end_of_flight(const MovingRock<Surface>& rock, const InAir& phase, const Parabola& path,
+                                 double t_max) {
+  const auto end = first_contact(rock, phase, path, {}, t_max);
+  using End = std::remove_const_t<decltype(end)>;
   if (end.contact) {
     // A sphere may still touch the rim after its centre has left the model.
-    if (rock.reach == 0 || rock.surface.has_ground_below(path.at(end.t), end.contact->facet)) return end;
+    if (rock.reach == 0 || rock.surface.has_ground_below(path.at(end.t), facet_of(*end.contact))) return end;
     const Exit before = rock.surface.exit(path);
-    return before.t < end.t && !before.beneath ? FlightEnd{before.t, {}, before} : end;
+    return before.t < end.t && !before.beneath ? End{before.t, {}, before} : end;
   }
   const Exit edge = rock.surface.exit(path);
-  return edge.t < t_max ? FlightEnd{edge.t, {}, edge} : end;
+  return edge.t < t_max ? End{edge.t, {}, edge} : end;
+}
+
+/// The rock has come down.
+template <class Surface, class Sink>
+[[nodiscard]] Phase come_down(TrackedRock<Surface, Sink>& rock, const Flying& phase, const Contact& contact) {
+  return strike(rock, contact, phase.ground);
+}
+
+/// A barrier has changed its motion.
+template <class Surface, class Sink>
+[[nodiscard]] Phase fly_on(TrackedRock<Surface, Sink>&, const Flying&, const Vec3&) {
+  return Flying{};
 }
 
 /// Flies to `flight_end`, or to a barrier before it, and returns the next phase; nullopt if the rock is still flying.
-template <class Surface, class Sink>
-[[nodiscard]] std::optional<Phase> fly_along(TrackedRock<Surface, Sink>& rock, const Flying& phase,
-                                             const Parabola& path, const LinearDrag& drag,
-                                             const FlightEnd& flight_end) {
+template <class Surface, class Sink, class InAir, class Touch>
+[[nodiscard]] std::optional<Phase> fly_along(TrackedRock<Surface, Sink>& rock, const InAir& phase, const Parabola& path,
+                                             const LinearDrag& drag, const FlightEnd<Touch>& flight_end) {
   Motion& motion = rock.motion;
   const double start = motion.time;
   // Barriers record times by the parabola's parameter.
@@ -71,7 +88,7 @@ template <class Surface, class Sink>
     rock.max_height = max_height_of_flight(rock.surface, path, 0, crossing->t, rock.max_height);
     if (then == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
     rock.leave(PathState::projectile);
-    return Flying{};
+    return fly_on(rock, phase, before.spin);
   }
 
   retime();
@@ -79,15 +96,15 @@ template <class Surface, class Sink>
                                           : max_height_of_flight(rock.surface, path, 0, flight_end.t, rock.max_height);
   rock.tell(event::Flight{motion, path, flight_end.t, drag});
   rock.advance(path, drag, flight_end.t);
-  if (flight_end.contact) return strike(rock, *flight_end.contact, phase.ground);
+  if (flight_end.contact) return come_down(rock, phase, *flight_end.contact);
   if (flight_end.exit) return Ended{reason_of(*flight_end.exit)};
   return std::nullopt;
 }
 
-template <class Surface, class Sink>
-[[nodiscard]] Phase fly(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
+template <class Surface, class Sink, class InAir>
+[[nodiscard]] Phase fly(TrackedRock<Surface, Sink>& rock, const InAir& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
-  const FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, rock.planes_of(phase.left));
+  const auto end = end_of_flight(rock, phase, path, rock.laws.max_time - rock.motion.time);
   const auto next = fly_along(rock, phase, path, {}, end);
   return next ? *next : Ended{EndReason::maximum_time};
 }

@@ -35,10 +35,10 @@ template <class Surface>
 }
 
 /// A flight outside forests, up to the first one.
-template <class Surface, class Sink>
-[[nodiscard]] std::optional<Phase> fly_to_forest(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
+template <class Surface, class Sink, class InAir>
+[[nodiscard]] std::optional<Phase> fly_to_forest(TrackedRock<Surface, Sink>& rock, const InAir& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
-  FlightEnd end = end_of_flight(rock, path, rock.laws.max_time - rock.motion.time, rock.planes_of(phase.left));
+  auto end = end_of_flight(rock, phase, path, rock.laws.max_time - rock.motion.time);
   for (double t = 0; t < end.t;) {
     const double next = std::min(end.t, t + forest_step_time(rock.laws, path.velocity(t)));
     if (forest_drag_at(rock, path.at(next)) > 0) {
@@ -51,8 +51,8 @@ template <class Surface, class Sink>
 }
 
 /// One piece of a flight in a forest.
-template <class Surface, class Sink>
-[[nodiscard]] std::optional<Phase> fly_in_forest(TrackedRock<Surface, Sink>& rock, const Flying& phase, double rate) {
+template <class Surface, class Sink, class InAir>
+[[nodiscard]] std::optional<Phase> fly_in_forest(TrackedRock<Surface, Sink>& rock, const InAir& phase, double rate) {
   const Motion& motion = rock.motion;
   const Laws& laws = rock.laws;
   LinearDrag drag{rate, laws.gravity};
@@ -69,18 +69,16 @@ template <class Surface, class Sink>
       sinks ? Parabola{motion.position, motion.velocity, Vec3{}} : drag.piece(motion.position, motion.velocity, length);
   if (forest_drag_at(rock, path.at(length)) != rate) length = forest_border_between(rock, path, 0, length, rate);
 
-  FlightEnd end{length, {}, {}};
-  if (const FlightEnd met = first_contact(rock, path, length, rock.planes_of(phase.left)); met.contact) {
-    end = met;
-  } else if (!rock.surface.ground_below(path.at(length))) {
+  auto end = first_contact(rock, phase, path, drag, length);
+  if (!end.contact && !rock.surface.ground_below(path.at(length))) {
     const Exit exit = rock.surface.exit(path);
     if (exit.t <= length) end = {exit.t, {}, exit};
   }
   return fly_along(rock, phase, path, drag, end);
 }
 
-template <class Surface, class Sink>
-[[nodiscard]] Phase fly_with_forests(TrackedRock<Surface, Sink>& rock, const Flying& phase) {
+template <class Surface, class Sink, class InAir>
+[[nodiscard]] Phase fly_with_forests(TrackedRock<Surface, Sink>& rock, const InAir& phase) {
   while (true) {
     const double rate = forest_drag_at(rock, rock.motion.position);
     const auto next = rate > 0 ? fly_in_forest(rock, phase, rate) : fly_to_forest(rock, phase);

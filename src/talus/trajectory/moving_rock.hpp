@@ -12,6 +12,7 @@
 #include "talus/impact/law.hpp"
 #include "talus/rocks/arc_length.hpp"
 #include "talus/rocks/energy.hpp"
+#include "talus/rocks/shape.hpp"
 #include "talus/sliding/bend.hpp"
 #include "talus/sliding/supports.hpp"
 #include "talus/terrain/surface.hpp"
@@ -57,6 +58,7 @@ class MovingRock : public RockState {
         laws(scene.laws),
         impact_law(scene.laws.impact),
         rock(release.rock),
+        body(release.shape != nullptr ? std::optional(body_of(*release.shape, release.rock)) : std::nullopt),
         reach(reach_of(scene.laws.model, release.rock)),
         leaving_speed(std::max(laws.normal_velocity_cutoff, std::sqrt(2 * laws.gravity.norm() * contact_slack))),
         has_forest(scene.ground.has_forest()),
@@ -73,7 +75,8 @@ class MovingRock : public RockState {
   const Laws& laws;
   const ImpactLaw impact_law;
   const Rock rock;
-  const double reach;  // from the centre to the contact: the radius of a sphere, 0 for the lumped mass [m]
+  const std::optional<Body> body;  // of a rock with a shape
+  const double reach;              // from the centre to the contact: the radius of a sphere, 0 for the lumped mass [m]
   // A rock that leaves an impact with a smaller normal velocity stays on the ground [m/s]. Without a cutoff in the
   // settings, that is a rock that would not rise above the thickness of a facet (contact_slack).
   const double leaving_speed;

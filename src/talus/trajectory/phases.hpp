@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "talus/core/id.hpp"
+#include "talus/core/orientation.hpp"
 #include "talus/rocks/motion.hpp"
 #include "talus/sliding/rolling.hpp"
 
@@ -80,11 +81,28 @@ struct InValley {
   bool is_on_facet;  // `on` is a facet, not one of its edges or vertices
 };
 
+/// A rock with a shape in the air (tumbling.hpp).
+struct Tumbling {
+  Orientation orientation;
+  Vec3 spin;                // of the body; that of Motion is the one that tables know (spin_of_sphere)
+  double since = 0;         // when it had these: the time of Motion [s]
+  std::uint32_t quick = 0;  // impacts in a row, each right after the last
+};
+
+/// A rock with a shape on the ground (touching.hpp).
+struct Touching {
+  Orientation orientation;
+  Vec3 spin;  // as in Tumbling
+  GroundFriction friction;
+  MaterialId ground;
+  double apart = 0, quiet = 0;  // how long nothing has pushed it, and how long it has hardly moved [s]
+};
+
 struct Ended {
   EndReason reason;
 };
 
-using Phase = std::variant<Flying, OnFacet, OnEdge, InValley, Ended>;
+using Phase = std::variant<Flying, OnFacet, OnEdge, InValley, Tumbling, Touching, Ended>;
 
 /// The phase after a leg along the ground, if it has changed.
 struct NextPhase {

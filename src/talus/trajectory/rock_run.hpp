@@ -13,6 +13,7 @@
 #include "talus/trajectory/in_valley.hpp"
 #include "talus/trajectory/on_edge.hpp"
 #include "talus/trajectory/on_facet.hpp"
+#include "talus/trajectory/touching.hpp"
 
 namespace talus {
 
@@ -22,10 +23,10 @@ template <TerrainSurface Surface, class Sink = RockLog>
 class RockRun {
  public:
   RockRun(const Scene<Surface>& scene, const Release& release, const Draws& draws, Sink& sink)
-      : rock_(scene, release, draws, sink), has_room_(release.has_room) {}
+      : rock_(scene, release, draws, sink), orientation_(release.orientation), has_room_(release.has_room) {}
   /// Goes on from a state of the same rock.
-  RockRun(const Scene<Surface>& scene, const Rock& rock, const RockState& from, const Draws& draws, Sink& sink)
-      : rock_(scene, {from.motion, rock}, draws, sink), has_room_(true), is_released_(true) {
+  RockRun(const Scene<Surface>& scene, const Release& release, const RockState& from, const Draws& draws, Sink& sink)
+      : rock_(scene, release, draws, sink), has_room_(true), is_released_(true) {
     static_cast<RockState&>(rock_) = from;
   }
 
@@ -67,6 +68,7 @@ class RockRun {
 
   TrackedRock<Surface, Sink> rock_;
   std::optional<GlideOnFacet> glide_;  // while the run pauses in one
+  Orientation orientation_;            // at the release
   bool has_room_, is_released_ = false;
 };
 
@@ -98,6 +100,10 @@ void RockRun<Surface, Sink>::proceed() {
     std::optional<NextPhase> operator()(const Flying& phase) const {
       return NextPhase{rock.has_forest ? fly_with_forests(rock, phase) : fly(rock, phase)};
     }
+    std::optional<NextPhase> operator()(const Tumbling& phase) const {
+      return NextPhase{rock.has_forest ? fly_with_forests(rock, phase) : fly(rock, phase)};
+    }
+    std::optional<NextPhase> operator()(Touching& phase) const { return take_step(rock, phase); }
     std::optional<NextPhase> operator()(OnFacet& phase) const { return take_leg(rock, phase); }
     std::optional<NextPhase> operator()(OnEdge& phase) const { return take_leg(rock, phase); }
     std::optional<NextPhase> operator()(InValley& phase) const { return take_leg(rock, phase); }
@@ -116,10 +122,14 @@ void RockRun<Surface, Sink>::proceed() {
 /// A rock that does not fit between floor and ceiling where it is released rests there.
 template <TerrainSurface Surface, class Sink>
 void RockRun<Surface, Sink>::release() {
+  const Vec3 spin = rock_.motion.spin;
+  if (rock_.body) rock_.motion.spin = spin_of_sphere(rock_.rock, *rock_.body, orientation_, spin);
   rock_.outcome.start = rock_.motion;
   rock_.outcome.max_kinetic_energy = rock_.kinetic_energy();
   rock_.tell(event::Release{rock_.motion});
-  enter(has_room_ ? Phase(Flying{}) : Ended{EndReason::at_rest});
+  if (!has_room_) return enter(Ended{EndReason::at_rest});
+  if (rock_.body) return enter(Tumbling{orientation_, spin, rock_.motion.time});
+  enter(Flying{});
 }
 
 /// A flight or a stretch along the ground begins, which counts as a step: the limit of steps, and rocks that do not

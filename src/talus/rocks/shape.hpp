@@ -1,0 +1,41 @@
+#pragma once
+// A convex rock: the corners of its hull, in the frame of the body - the principal axes of inertia through the centre
+// of mass. A shape has a volume of 1 m3; rocks scale it.
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "talus/core/vec.hpp"
+#include "talus/rocks/rock.hpp"
+
+namespace talus {
+
+struct RockShape {
+  std::vector<Vec3> corners;                            // [m]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // of the hull, counter-clockwise from outside
+  Vec3 gyration;                                        // principal moments of inertia over the mass [m2]
+  double reach = 0;                                     // from the centre to the farthest corner [m]
+};
+
+/// A rock of a shape, as its equations need it.
+struct Body {
+  std::span<const Vec3> corners;  // of the shape
+  double scale = 0;               // from the shape to the rock
+  double mass = 0;                // [kg]
+  Vec3 inertia;                   // principal moments [kg m2]
+  double reach = 0;               // [m]
+
+  [[nodiscard]] Vec3 corner(std::size_t i) const { return scale * corners[i]; }
+};
+
+/// The rock's radius is that of the sphere of the same volume. `shape` must live as long as the body.
+[[nodiscard]] inline Body body_of(const RockShape& shape, const Rock& rock) {
+  const double scale = std::cbrt(4 * std::numbers::pi / 3) * rock.radius;
+  return {shape.corners, scale, rock.mass, rock.mass * scale * scale * shape.gyration, scale * shape.reach};
+}
+
+}  // namespace talus

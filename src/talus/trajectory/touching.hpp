@@ -1,0 +1,222 @@
+#pragma once
+// A rock with a shape on the ground: it rocks, slides on a face, tumbles slowly, or comes to rest. Corners that meet
+// the ground faster than the cutoff strike it (striking_body.hpp); the others are held by impulses, step by step.
+//
+// One step of Moreau's method: half a step with the velocities at its start; there the corners in the ground, and the
+// impulses with which none of them moves further into it, within friction (impact/rigid_body.hpp, without restitution);
+// half a step with the velocities after them. The angular momentum between impulses is constant, exactly.
+// Source: R. Leine et al. (2014), doi 10.1007/s11044-013-9393-4, whose steps are these. When a corner that hovers comes
+// down again, a step would add at most m (g dt)^2 / 8 of energy: it is taken away from the velocities, and then from
+// the way.
+
+#include "talus/trajectory/tumbling.hpp"
+
+namespace talus {
+
+/// A body in touch with the ground, for one step.
+struct BodyStep {
+  const Body& body;
+  Vec3 gravity;
+
+  [[nodiscard]] double energy(const Vec3& centre, const Vec3& velocity, const Vec3& body_spin) const {
+    return 0.5 * body.mass * velocity.squared_norm() + 0.5 * body.inertia.dot(body_spin.times(body_spin)) -
+           body.mass * gravity.dot(centre);
+  }
+  /// The spin with this angular momentum.
+  [[nodiscard]] Vec3 spin_with(const Orientation& orientation, const Vec3& momentum) const {
+    const Vec3 l = orientation.to_body(momentum);
+    return orientation.to_world({l[0] / body.inertia[0], l[1] / body.inertia[1], l[2] / body.inertia[2]});
+  }
+  [[nodiscard]] Vec3 momentum_with(const Orientation& orientation, const Vec3& spin) const {
+    return orientation.to_world(body.inertia.times(orientation.to_body(spin)));
+  }
+};
+
+template <class Surface>
+[[nodiscard]] double timestep_in_touch(const MovingRock<Surface>& rock, const Touching& phase) {
+  const double turning = phase.spin.norm(), speed = rock.motion.velocity.norm();
+  double step = rock.laws.timestep;
+  if (turning > 0) step = std::min(step, tolerance::turn_in_touch / turning);
+  if (speed > 0) step = std::min(step, tolerance::way_in_touch / speed);
+  return step;
+}
+
+/// Whether friction holds the body where it is, without a motion.
+template <class Surface>
+[[nodiscard]] bool is_held(const MovingRock<Surface>& rock, const BodyInertia& inertia, const ContactSet& contacts,
+                           const GroundFriction& friction) {
+  const Vec3 pull = rock.laws.timestep * rock.laws.gravity;
+  const auto after = rigid_body_impact(pull, Vec3{}, inertia, contacts, {}, friction.sphere.dynamic);
+  const double moved = after.rebound.velocity.norm() + after.rebound.spin.norm() * rock.body->reach;
+  return moved <= tolerance::held_share * pull.norm();
+}
+
+/// How a body whose centre is no longer over the terrain leaves the model.
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<Phase> leave_model(TrackedRock<Surface, Sink>& rock) {
+  if (rock.surface.ground_below(rock.motion.position + rock.body->reach * unit_z)) return std::nullopt;
+  const Exit exit = rock.surface.exit({rock.motion.position, rock.motion.velocity, rock.laws.gravity});
+  return leave_over_rim(rock, Exit{0, false, exit.in_hole});
+}
+
+template <class Surface, class Sink>
+[[nodiscard]] Phase take_off(TrackedRock<Surface, Sink>& rock, const Touching& phase) {
+  rock.arrive();
+  rock.leave(PathState::projectile);
+  return Tumbling{phase.orientation, phase.spin, rock.motion.time};
+}
+
+/// Barriers on the straight way of a step of duration `dt`, at the end of which the rock has `after`. nullopt if none
+/// changes it.
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<Phase> meet_barriers_in_touch(TrackedRock<Surface, Sink>& rock, const Touching& phase,
+                                                          FacetId facet, const Parabola& leg, double dt,
+                                                          const Motion& after) {
+  Motion& motion = rock.motion;
+  while (const auto crossing = next_crossing(rock, leg, dt)) {
+    const Motion before = std::exchange(motion, after);
+    motion.position = leg.at(crossing->t);
+    motion.time = before.time + crossing->t;
+    if (crossing->above) {
+      pass_above(rock, *crossing, std::exchange(motion, before));
+      continue;
+    }
+    const Motion arrived = motion;
+    const AtBarrier effect = meet_barrier(rock, *crossing, motion.time, rock.laws.gravity);
+    if (effect == AtBarrier::unaffected) {
+      motion = before;
+      continue;
+    }
+    rock.cover_leg(facet, leg, crossing->t, before, arrived);
+    if (effect == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
+    Touching next = phase;
+    next.spin = spin_after(rock, phase.spin, arrived.spin);
+    motion.spin = spin_of_sphere(rock.rock, *rock.body, next.orientation, next.spin);
+    rock.leave(PathState::sliding);
+    return next;
+  }
+  return std::nullopt;
+}
+
+/// The middle of a step: how the body is turned there, and what touches the ground.
+struct HalfStep {
+  Orientation orientation;
+  ContactSet contacts;
+};
+
+template <class Surface>
+[[nodiscard]] HalfStep half_step(const MovingRock<Surface>& rock, const Touching& phase, double dt) {
+  const Orientation halfway = Orientation::of_turn(0.5 * dt * phase.spin) * phase.orientation;
+  const Posture middle{rock.motion.position + 0.5 * dt * rock.motion.velocity, halfway.matrix()};
+  return {halfway, touched_by(rock.surface, *rock.body, middle, tolerance::one_touch).contacts()};
+}
+
+/// Corners that come down faster than the cutoff.
+struct Strikes {
+  ContactSet contacts;  // with their arms at the start of the step
+  double until = 0;     // the first of them touches the ground [s]
+};
+
+template <class Surface>
+[[nodiscard]] Strikes strikes_in(const MovingRock<Surface>& rock, const Touching& phase, const ContactSet& contacts) {
+  Strikes strikes;
+  const Posture start{rock.motion.position, phase.orientation.matrix()};
+  for (const ContactPoint& contact : contacts) {
+    ContactPoint at_start = contact;
+    const Vec3 place = start.place(*rock.body, contact.corner);
+    at_start.arm = place - start.centre;
+    const double approach = -(rock.motion.velocity + phase.spin.cross(at_start.arm)).dot(contact.normal);
+    if (approach <= rock.leaving_speed) continue;
+    const double until = std::max(0.0, clearance(rock.surface, place) * contact.normal.z() / approach);
+    strikes.until = strikes.contacts.size() == 0 ? until : std::min(strikes.until, until);
+    strikes.contacts.add(at_start);
+  }
+  return strikes;
+}
+
+template <class Surface, class Sink>
+[[nodiscard]] std::optional<NextPhase> take_step(TrackedRock<Surface, Sink>& rock, Touching& phase) {
+  const Body& body = *rock.body;
+  const BodyStep step{body, rock.laws.gravity};
+  Motion& motion = rock.motion;
+  if (motion.time >= rock.laws.max_time) return NextPhase{Ended{EndReason::maximum_time}};
+  double dt = std::min(timestep_in_touch(rock, phase), rock.laws.max_time - motion.time);
+  rock.progress.record(motion, rock.reach, std::min(1.0, dt / 0.01));
+  if (rock.is_wedged()) return NextPhase{come_to_rest(rock)};
+
+  const Motion before = motion;
+  const Orientation start = phase.orientation;
+  const double energy = step.energy(motion.position, motion.velocity, start.to_body(phase.spin));
+  const Vec3 momentum = step.momentum_with(start, phase.spin);
+  HalfStep half = half_step(rock, phase, dt);
+  if (Strikes strikes = strikes_in(rock, phase, half.contacts); strikes.contacts.size() > 0) {
+    // The step ends where the corner comes down, unless that is here.
+    if (strikes.until > tolerance::soon_struck * dt) {
+      dt = std::min(dt, strikes.until);
+      half = half_step(rock, phase, dt);
+      strikes = strikes_in(rock, phase, half.contacts);
+    }
+    if (strikes.contacts.size() > 0) return NextPhase{strike_with(rock, start, phase.spin, strikes.contacts, 0)};
+  }
+  const auto& [halfway, contacts] = half;
+
+  Vec3 velocity = motion.velocity + dt * rock.laws.gravity;
+  if (phase.friction.drag > 0) velocity *= std::exp(-phase.friction.drag * dt);
+  Vec3 spin = step.spin_with(halfway, momentum);
+  const BodyInertia inertia = inertia_of(body, halfway);
+  bool is_pushed = false;
+  if (contacts.size() > 0) {
+    const FacetId facet = contacts[0].facet;
+    if (rock.material_at(facet) != phase.ground) {
+      phase.ground = rock.material_at(facet);
+      phase.friction = friction_at(rock, facet);
+    }
+    const ContactFriction& friction = phase.friction.sphere;
+    const auto impact = rigid_body_impact(velocity, spin, inertia, contacts, {}, friction.dynamic);
+    const double push = push_of(impact, contacts);
+    is_pushed = push > 0;
+    velocity = impact.rebound.velocity;
+    spin = resisted_spin(impact.rebound.spin, contacts[0].normal, inertia, friction.rolling * rock.rock.radius * push);
+  }
+
+  const Vec3 after_push = step.momentum_with(halfway, spin);
+  Vec3 way = 0.5 * dt * (motion.velocity + velocity);
+  Orientation end = Orientation::of_turn(0.5 * dt * spin) * halfway;
+  Vec3 end_spin = step.spin_with(end, after_push);
+  const double gained = step.energy(motion.position + way, velocity, end.to_body(end_spin)) - energy;
+  if (gained > 0) {
+    const double moving = step.energy(Vec3{}, velocity, end.to_body(end_spin));
+    const double kept = std::sqrt(std::max(0.0, 1 - gained / moving));
+    velocity *= kept;
+    end_spin *= kept;
+    const double rise = -body.mass * rock.laws.gravity.dot(way);
+    if (kept == 0 && rise > 0)
+      way *= std::clamp((energy + body.mass * rock.laws.gravity.dot(motion.position)) / rise, 0.0, 1.0);
+  }
+  phase.orientation = end;
+  phase.spin = end_spin;
+  const Motion after{motion.position + way, velocity, spin_of_sphere(rock.rock, body, end, end_spin), motion.time + dt};
+  const FacetId facet = contacts.size() > 0 ? contacts[0].facet : rock.last_contact.with.facet;
+  const Parabola leg{before.position, way / dt, Vec3{}};
+  if (auto met = meet_barriers_in_touch(rock, phase, facet, leg, dt, after)) return NextPhase{*std::move(met)};
+  motion = after;
+  rock.cover_leg(facet, leg, dt, before, motion);
+  rock.update_max_energy();
+  if (contacts.size() > 0) rock.remember_contact({contacts[0].normal, facet});
+  if (auto left = leave_model(rock)) return NextPhase{*std::move(left)};
+
+  phase.apart = is_pushed ? 0 : phase.apart + dt;
+  if (phase.apart > tolerance::apart_in_flight &&
+      clearance(rock.surface, body, {motion.position, end.matrix()}) > tolerance::clear_in_flight) {
+    return NextPhase{take_off(rock, phase)};
+  }
+  const bool is_slow =
+      velocity.norm() < rock.laws.stopped_velocity && end_spin.norm() * body.reach < rock.laws.stopped_velocity;
+  phase.quiet = is_slow && is_pushed ? phase.quiet + dt : 0;
+  if (phase.quiet > tolerance::quiet_at_rest && is_held(rock, inertia, contacts, phase.friction)) {
+    return NextPhase{come_to_rest(rock)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace talus

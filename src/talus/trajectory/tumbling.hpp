@@ -1,0 +1,144 @@
+#pragma once
+// A rock with a shape in the air: its centre on a parabola, its rotation free, until a corner comes to the ground.
+//
+// Before a sphere about the whole rock touches anything, no corner can. From there the flight is searched in steps in
+// which no corner leaves the chord of its way by more than a millimetre or two, and the first step into the ground is
+// narrowed down to the contact. All corners that touch there are struck together.
+
+#include "talus/rocks/free_rotation.hpp"
+#include "talus/trajectory/flying.hpp"
+#include "talus/trajectory/striking_body.hpp"
+
+namespace talus {
+
+/// The free flight of a body.
+struct BodyFlight {
+  const Body& body;
+  const Parabola& path;
+  const LinearDrag& drag;
+  const FreeRotation& rotation;
+  double begun;  // how long before the path the rotation began [s]
+
+  /// `s`: the parameter of the path.
+  [[nodiscard]] Posture at(double s) const {
+    return {path.at(s), rotation.at(begun + drag.time(s)).orientation.matrix()};
+  }
+};
+
+/// Just before and just after a corner comes through the surface, in the path's parameter.
+struct Touchdown {
+  double before, after;
+};
+
+template <class Surface>
+[[nodiscard]] bool is_free_of_ground(const Surface& surface, const Vec3& centre, double reach) {
+  if (clearance(surface, centre) <= reach) return false;
+  bool is_free = true;
+  surface.supports(centre, reach, 0, [&](const Vec3&, const Vec3&, double, FacetId) { is_free = false; });
+  return is_free;
+}
+
+/// Narrows a step of the flight from the open into the ground.
+template <class Surface>
+[[nodiscard]] Touchdown touchdown_between(const Surface& surface, const BodyFlight& flight, double before, double after,
+                                          double above, double below, double sunk) {
+  constexpr int most_steps = 60;
+  for (int i = 0; i < most_steps && above > tolerance::corner_gap && after - before > tolerance::corner_time; ++i) {
+    // The false position where the clearance is continuous, the middle where it is not.
+    double s = before + (after - before) * above / (above - below);
+    if (i % 3 == 2 || !(s > before && s < after)) s = 0.5 * (before + after);
+    const double gap = clearance(surface, flight.body, flight.at(s)) - sunk;
+    if (gap > 0) {
+      before = s;
+      above = gap;
+    } else {
+      after = s;
+      below = gap;
+    }
+  }
+  return {before, after};
+}
+
+template <class Surface>
+[[nodiscard]] std::optional<Touchdown> first_touchdown(const Surface& surface, const BodyFlight& flight, double spin,
+                                                       double s_max) {
+  constexpr int steps_near_ground = 4;  // before the sphere is asked for again
+  const double reach = flight.body.reach;
+  double s = 0, above = clearance(surface, flight.body, flight.at(0));
+  // A corner may have sunk in by rounding: the flight begins on the ground all the same.
+  const double sunk = std::min(0.0, above - tolerance::corner_gap);
+  above -= sunk;
+  for (int near = 0; s < s_max;) {
+    const Vec3 centre = flight.path.at(s), velocity = flight.path.velocity(s);
+    if (near == 0) {
+      if (is_free_of_ground(surface, centre, reach)) {
+        const auto contact = surface.first_contact({centre, velocity, flight.path.a}, reach, s_max - s, {});
+        if (!contact) return std::nullopt;
+        s += contact->t;
+        above = clearance(surface, flight.body, flight.at(s)) - sunk;
+      }
+      near = steps_near_ground;
+    }
+    --near;
+    const double way = 0.25 * reach, fall = flight.path.a.norm();
+    const double by_way = 2 * way / (velocity.norm() + std::sqrt(velocity.squared_norm() + 2 * fall * way));
+    const double step = spin > 0 ? std::min(by_way, tolerance::turn_in_a_step / spin) : by_way;
+    const double next = std::min(s_max, s + step);
+    const double gap = clearance(surface, flight.body, flight.at(next)) - sunk;
+    if (gap <= 0) return touchdown_between(surface, flight, s, next, above, gap, sunk);
+    s = next;
+    above = gap;
+  }
+  return std::nullopt;
+}
+
+[[nodiscard]] inline FacetId facet_of(const ContactSet& contacts) { return contacts[0].facet; }
+
+[[nodiscard]] inline FreeRotation rotation_of(const Body& body, const Tumbling& phase) {
+  return {body.inertia, phase.orientation, phase.spin};
+}
+
+/// At the first contact of a corner, or at t_max.
+template <class Surface>
+[[nodiscard]] FlightEnd<ContactSet> first_contact(const MovingRock<Surface>& rock, const Tumbling& phase,
+                                                  const Parabola& path, const LinearDrag& drag, double t_max) {
+  const Body& body = *rock.body;
+  const FreeRotation rotation = rotation_of(body, phase);
+  const BodyFlight flight{body, path, drag, rotation, rock.motion.time - phase.since};
+  const double momentum = body.inertia.times(phase.orientation.to_body(phase.spin)).norm();
+  const double least_inertia = std::min({body.inertia[0], body.inertia[1], body.inertia[2]});
+  const auto down = first_touchdown(rock.surface, flight, momentum / least_inertia, t_max);
+  if (!down) return {t_max, {}, {}};
+  const Posture before = flight.at(down->before);
+  Touched touched = struck_between(rock.surface, body, before, flight.at(down->after), tolerance::one_touch);
+  for (double wider = 10 * tolerance::one_touch; touched.is_empty() && wider < body.reach; wider *= 10) {
+    touched = touched_by(rock.surface, body, before, wider);
+  }
+  if (touched.is_empty()) return {t_max, {}, {}};
+  return {down->before, touched.contacts(), {}};
+}
+
+template <class Surface, class Sink>
+[[nodiscard]] Phase come_down(TrackedRock<Surface, Sink>& rock, const Tumbling& phase, const ContactSet& contacts) {
+  const double flown = rock.motion.time - phase.since;
+  const auto [orientation, spin] = rotation_of(*rock.body, phase).at(flown);
+  return strike_with(rock, orientation, spin, contacts, flown < tolerance::quick_impact ? phase.quick + 1 : 0);
+}
+
+/// The body's spin after a barrier has changed that of the sphere from `before`.
+template <class Surface>
+[[nodiscard]] Vec3 spin_after(const MovingRock<Surface>& rock, const Vec3& spin, const Vec3& before) {
+  const double norm = before.norm();
+  return norm > 0 ? rock.motion.spin.norm() / norm * spin : spin;
+}
+
+template <class Surface, class Sink>
+[[nodiscard]] Phase fly_on(TrackedRock<Surface, Sink>& rock, const Tumbling& phase, const Vec3& spin_before) {
+  Motion& motion = rock.motion;
+  const auto [orientation, spin] = rotation_of(*rock.body, phase).at(motion.time - phase.since);
+  const Vec3 left = spin_after(rock, spin, spin_before);
+  motion.spin = spin_of_sphere(rock.rock, *rock.body, orientation, left);
+  return Tumbling{orientation, left, motion.time};
+}
+
+}  // namespace talus
