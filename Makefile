@@ -2,7 +2,7 @@
 PREFIX_RUN := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
 PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-dev libboost-dev \
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev libproj-dev libsqlite3-dev libopenmpi-dev \
-  libcpp-httplib-dev libssl-dev python3-dev python3-numpy pybind11-dev
+  libcpp-httplib-dev libqhull-dev libssl-dev python3-dev python3-numpy pybind11-dev
 TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin clang-14 python3 chromium poppler-utils esbuild node-d3 \
   python3-pytest python3-pandas python3-matplotlib python3-xarray python3-nbclient python3-ipykernel python3-rasterio \
   python3-geopandas

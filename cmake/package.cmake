@@ -56,7 +56,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS xdg-utils)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "chromium, openmpi-bin, qgis")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(development_packages libeigen3-dev libtbb-dev libfmt-dev libboost-dev nlohmann-json3-dev libtomlplusplus-dev libssl-dev)
+set(development_packages libeigen3-dev libtbb-dev libfmt-dev libboost-dev nlohmann-json3-dev libtomlplusplus-dev libqhull-dev
+  libssl-dev)
 if(TALUS_GDAL)
   list(APPEND development_packages libgdal-dev libproj-dev libsqlite3-dev)
 endif()

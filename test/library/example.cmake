@@ -23,7 +23,8 @@ endif()
 
 # The kernel alone, on a machine without the libraries of the rooms above it.
 build_example(${EXAMPLE}/kernel -DCMAKE_DISABLE_FIND_PACKAGE_GDAL=ON -DCMAKE_DISABLE_FIND_PACKAGE_MPI=ON
-  -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenSSL=ON)
+  -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_OpenSSL=ON
+  -DCMAKE_DISABLE_FIND_PACKAGE_Qhull=ON)
 execute_process(COMMAND ${FOLDER}/build/bin/listen OUTPUT_VARIABLE heard COMMAND_ERROR_IS_FATAL ANY)
 message("${heard}")
 if(NOT heard MATCHES "^impact at t = .*\nended at t = .* impacts, .* m in flight: at[ _]rest\n$")
