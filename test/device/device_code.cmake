@@ -5,7 +5,7 @@ list(FILTER SYSTEM EXCLUDE REGEX "/lib/gcc/")  # clang has its own
 list(TRANSFORM SYSTEM PREPEND -isystem)
 list(TRANSFORM ROOMS PREPEND -I)
 # Without the system's own target, its headers take the processor from the definition; the pause is that of a spin lock.
-execute_process(COMMAND ${CXX} -std=c++20 -O1 -ffp-contract=off -fno-exceptions -fno-rtti --target=nvptx64-nvidia-cuda
+execute_process(COMMAND ${CXX} -std=c++20 -O1 -DNDEBUG -ffp-contract=off -fno-exceptions -fno-rtti --target=nvptx64-nvidia-cuda
     -march=sm_70 -nostdinc++ ${SYSTEM} ${ROOMS} -D_GNU_SOURCE -D__x86_64__ "-D__builtin_ia32_pause()=(void)0"
     -S ${SOURCE} -o ${FOLDER}/rock_run.ptx
   COMMAND_ERROR_IS_FATAL ANY)
