@@ -42,7 +42,7 @@ TEST(Orientation, TensorsKeepTheirPrincipalValues) {
     const Vec3 principal(dice.between(1, 2), dice.between(1, 2), dice.between(1, 2));
     const Mat3 tensor = in_world(turned, principal);
     expect_near(tensor * turned.to_world(unit_y), principal.y() * turned.to_world(unit_y));
-    EXPECT_NEAR(tensor.determinant(), principal.x() * principal.y() * principal.z(), 1e-13);
+    expect_near(tensor * turned.to_world(unit_z), principal.z() * turned.to_world(unit_z));
   }
 }
 
@@ -55,7 +55,6 @@ TEST(Mat3, SolvesWhatItMultiplies) {
     expect_near((m * m.transposed()) * v, m * (m.transposed() * v));
   }
   const Vec3 a(1, 2, 3), b(-4, 5, 1);
-  expect_near(cross_matrix(a) * b, a.cross(b));
   expect_near(outer_product(a, b) * unit_y, 5 * a);
 }
 

@@ -158,7 +158,7 @@ TEST(Bodies, ACubeStaysWhereFrictionHoldsIt) {
 }
 
 // A brick of 0.5 x 1 m on a slope of 30 degrees turns over its lower edge: tan 30 > 0.5 / 1. Its turn is a pendulum's,
-// from rest: times and rates by quadrature.
+// from rest: times and rates by quadrature. Steps of 10 ms are of first order: within 1 % here.
 TEST(Bodies, ABrickTipsAsAPendulum) {
   const double slope = 30 * radians;
   const RockShape brick = box({0.5, 1, 1});
@@ -188,7 +188,8 @@ TEST(Bodies, ABrickTipsAsAPendulum) {
 
 // A rimless wheel: of its energy a plastic impact leaves eta^2, and on a slope it comes to a steady rate after impacts.
 // For a polygon I / (m R^2) = (2 + cos 2a) / 6, a = pi / n; eta = (k + cos 2a) / (1 + k);
-// w = sqrt(eta^2 / (1 - eta^2) 4 g sin a sin s / (R (1 + k))).
+// w = sqrt(eta^2 / (1 - eta^2) 4 g sin a sin s / (R (1 + k))). With steps of 2 ms it is within 0.5 %, with 10 ms
+// within 1 %.
 TEST(Bodies, APolygonRollsAsARimlessWheel) {
   for (const auto& [sides, degrees] : {std::pair{6, 15.0}, std::pair{8, 10.0}, std::pair{12, 5.0}}) {
     const double slope = degrees * radians, radius = 1, a = std::numbers::pi / sides;

@@ -34,18 +34,12 @@ struct Mat3 {
   }
   [[nodiscard]] friend constexpr bool operator==(const Mat3& a, const Mat3& b) = default;
 
-  [[nodiscard]] constexpr double determinant() const { return rows[0].dot(rows[1].cross(rows[2])); }
   /// x with *this * x = b, by Cramer's rule. The determinant must not be 0.
   [[nodiscard]] constexpr Vec3 solve(const Vec3& b) const {
     const Vec3 p = column(0), q = column(1), r = column(2), qr = q.cross(r);
     return Vec3{b.dot(qr), p.dot(b.cross(r)), p.dot(q.cross(b))} / p.dot(qr);
   }
 };
-
-/// The tensor of a cross product: cross_matrix(a) * b = a x b.
-[[nodiscard]] constexpr Mat3 cross_matrix(const Vec3& a) {
-  return {{Vec3{0, -a[2], a[1]}, Vec3{a[2], 0, -a[0]}, Vec3{-a[1], a[0], 0}}};
-}
 
 /// a b^T.
 [[nodiscard]] constexpr Mat3 outer_product(const Vec3& a, const Vec3& b) { return {{a[0] * b, a[1] * b, a[2] * b}}; }

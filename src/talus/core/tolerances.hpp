@@ -130,7 +130,8 @@ inline constexpr double contacts_to_rest = 200;
 
 // ---- rocks with a shape ----
 
-/// Corners that come to the ground within this of each other strike it together [m].
+/// Corners that come to the ground within this of each other strike it together, and so near to it they are held [m].
+/// Smaller: a body that turns about a corner hops, and each hop takes energy.
 inline constexpr double one_touch = 1e-4;
 /// How near the ground [m], or the time [s], a corner is followed to its contact.
 inline constexpr double corner_gap = 1e-8;
@@ -157,7 +158,7 @@ inline constexpr double slip_direction = 1e-12;
 /// Impulses of several contacts have settled if a round changes them by less than this share of their sum, or after so
 /// many rounds. Larger: contacts sink in or part by this share of the impact's velocity.
 inline constexpr double settled_impulse = 1e-9;
-inline constexpr int most_sweeps = 1000;
+inline constexpr int max_sweeps = 1000;
 /// Rounds before impulses change by half steps: twice as slow, but contacts that drive each other settle.
 inline constexpr int sweeps_in_full = 100;
 /// Energy that impulses add, below this share of what they turn over, is rounding or has not settled.

@@ -66,7 +66,7 @@ class Slip {
   [[nodiscard]] std::optional<Vec3> impulse_near(const Vec2& guess) const {
     if (guess.squared_norm() == 0) return std::nullopt;
     Vec2 d = guess.normalized();
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
       const double den = denominator(d);
       const Vec2 s = scaled_slip(d), across = quarter_turn(d);
       const double off = cross(s, d);
@@ -94,7 +94,7 @@ class Slip {
   }
 
  private:
-  static constexpr int most_steps = 30;
+  static constexpr int max_steps = 30;
   static constexpr double largest_turn = 0.5;  // [rad]
 
   [[nodiscard]] Vec2 times(const Vec2& d) const { return {first_.dot(d), second_.dot(d)}; }
@@ -149,7 +149,7 @@ class Impulses {
     Struck struck = before_;
     std::array<Vec3, ContactSet::most> impulses;  // in the frames of the contacts
     result.has_settled = size_ == 1;
-    const int sweeps = size_ == 1 ? 1 : tolerance::most_sweeps;
+    const int sweeps = size_ == 1 ? 1 : tolerance::max_sweeps;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double changed = 0, total = 0;
       for (std::size_t i = 0; i < size_; ++i) {

@@ -21,7 +21,7 @@ namespace {
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// A hull must be thicker than this share of its length: flatter ones are surfaces.
-constexpr double least_thickness = 1e-3;
+constexpr double min_thickness = 1e-3;
 
 BadInput refused(std::string what, std::string why) {
   return BadInput(Problem{.what = std::move(what), .why = std::move(why)});
@@ -158,9 +158,9 @@ Hull hull_of(std::span<const Vec3> points) {
   const Vec3 x = axis(2), y = axis(1), z = x.cross(y);
   const Eigen::Vector3d spread = axes.eigenvalues().cwiseMax(0);
   const double thickness = std::sqrt(spread(0) / spread(2));
-  if (!(thickness > least_thickness)) {
+  if (!(thickness > min_thickness)) {
     throw refused(fmt::format("it is {:.2g} as thick as long", thickness),
-                  fmt::format("a rock is at least {:g}", least_thickness));
+                  fmt::format("a rock is at least {:g}", min_thickness));
   }
   const double to_unit = 1 / std::cbrt(moments.volume);
   const Mat3 turned{{x, y, z}};

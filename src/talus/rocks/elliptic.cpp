@@ -84,7 +84,7 @@ double unrolled(double angle, Within&& within) {
 
 JacobiSeries::JacobiSeries(double m1) : m1_(m1) {
   double a = 1, b = std::sqrt(m1), c = std::sqrt(1 - m1);
-  while (c > 1e-17 * a && terms_ < most_terms) {
+  while (c > 1e-17 * a && terms_ < max_terms) {
     const double next = 0.5 * (a + b);
     c = 0.5 * (a - b);
     b = std::sqrt(a * b);

@@ -18,8 +18,8 @@ class JacobiSeries {
   [[nodiscard]] JacobiFunctions at(double u) const;
 
  private:
-  static constexpr int most_terms = 16;
-  double ratio_[most_terms] = {};  // c_n / a_n
+  static constexpr int max_terms = 16;
+  double ratio_[max_terms] = {};  // c_n / a_n
   double scale_ = 1;               // 2^N a_N
   double m1_ = 1;
   int terms_ = 0;

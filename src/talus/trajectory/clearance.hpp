@@ -43,8 +43,8 @@ template <class Surface>
   return least;
 }
 
-/// Of more contacts than a set holds, those that hold the body as all of them do: the first, the farthest from it, the
-/// farthest from the line through both, and the farthest on the line's other side.
+/// The contacts of a body, the first 64 of them. Of more than a set holds, those that hold the body as all of them do:
+/// the first, the farthest from it, the farthest from the line through both, and the farthest on the line's other side.
 class Touched {
  public:
   void add(const ContactPoint& point) {

@@ -50,8 +50,7 @@ namespace talus {
   return push;
 }
 
-template <class Surface>
-[[nodiscard]] PathState state_on(const ContactSet& contacts, const Motion& motion, const Vec3& spin) {
+[[nodiscard]] inline PathState state_on(const ContactSet& contacts, const Motion& motion, const Vec3& spin) {
   const ContactPoint& c = contacts[0];
   const Vec3 slip = tangential(motion.velocity + spin.cross(c.arm), c.normal);
   return slip.norm() > 0.5 * motion.velocity.norm() ? PathState::sliding : PathState::rolling;
@@ -62,7 +61,7 @@ template <class Surface>
 template <class Surface, class Sink>
 [[nodiscard]] Phase strike_with(TrackedRock<Surface, Sink>& rock, const Orientation& orientation, const Vec3& spin,
                                 const ContactSet& contacts, std::uint32_t quick) {
-  constexpr std::uint32_t most_quick = 12;
+  constexpr std::uint32_t max_quick = 12;
   rock.arrive();
   Motion& motion = rock.motion;
   const Motion before = motion;
@@ -96,11 +95,11 @@ template <class Surface, class Sink>
   rock.update_max_energy();
   rock.remember_contact({first.normal, first.facet});
 
-  if (quick <= most_quick && parting_speed(contacts, motion.velocity, leaving) >= rock.leaving_speed) {
+  if (quick <= max_quick && parting_speed(contacts, motion.velocity, leaving) >= rock.leaving_speed) {
     rock.leave(PathState::projectile);
     return Tumbling{orientation, leaving, motion.time, quick};
   }
-  rock.leave(state_on<Surface>(contacts, motion, leaving));
+  rock.leave(state_on(contacts, motion, leaving));
   return Touching{orientation, leaving, friction_of(rock, draw, material, rt), rock.material_at(first.facet)};
 }
 

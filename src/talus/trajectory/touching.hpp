@@ -2,12 +2,12 @@
 // A rock with a shape on the ground: it rocks, slides on a face, tumbles slowly, or comes to rest. Corners that meet
 // the ground faster than the cutoff strike it (striking_body.hpp); the others are held by impulses, step by step.
 //
-// One step of Moreau's method: half a step with the velocities at its start; there the corners in the ground, and the
-// impulses with which none of them moves further into it, within friction (impact/rigid_body.hpp, without restitution);
-// half a step with the velocities after them. The angular momentum between impulses is constant, exactly.
-// Source: R. Leine et al. (2014), doi 10.1007/s11044-013-9393-4, whose steps are these. When a corner that hovers comes
-// down again, a step would add at most m (g dt)^2 / 8 of energy: it is taken away from the velocities, and then from
-// the way.
+// One step of Moreau's method: half a step with the velocities at its start; there the corners within 0.1 mm of the
+// ground, and the impulses with which none of them moves further towards it, within friction (impact/rigid_body.hpp,
+// without restitution); half a step with the velocities after them. The angular momentum between impulses is constant,
+// exactly. Source: R. Leine et al. (2014), doi 10.1007/s11044-013-9393-4, whose steps are these. When a corner that
+// hovers comes down again, a step would add at most m (g dt)^2 / 8 of energy: it is taken away from the velocities, and
+// then from the way.
 
 #include "talus/trajectory/tumbling.hpp"
 

@@ -42,8 +42,8 @@ template <class Surface>
 template <class Surface>
 [[nodiscard]] Touchdown touchdown_between(const Surface& surface, const BodyFlight& flight, double before, double after,
                                           double above, double below, double sunk) {
-  constexpr int most_steps = 60;
-  for (int i = 0; i < most_steps && above > tolerance::corner_gap && after - before > tolerance::corner_time; ++i) {
+  constexpr int max_steps = 60;
+  for (int i = 0; i < max_steps && above > tolerance::corner_gap && after - before > tolerance::corner_time; ++i) {
     // The false position where the clearance is continuous, the middle where it is not.
     double s = before + (after - before) * above / (above - below);
     if (i % 3 == 2 || !(s > before && s < after)) s = 0.5 * (before + after);
