@@ -1,4 +1,4 @@
-// Volumes and moments of hulls against closed forms.
+// Volumes and moments of hulls against closed forms, and what is made of them.
 
 #include "talus/meshing/rock_shape.hpp"
 
@@ -13,6 +13,7 @@
 #include "support/dice.hpp"
 #include "talus/core/orientation.hpp"
 #include "talus/core/problems.hpp"
+#include "talus/meshing/rock_hull.hpp"
 
 namespace talus::rock_shape_test {
 namespace {
@@ -60,7 +61,8 @@ TEST(RockShape, BoxesAndPrismsHaveTheirMoments) {
   EXPECT_NEAR(box.reach, 0.5 * std::sqrt(14) / std::cbrt(6), 1e-12);
 
   const double a = std::numbers::pi / 6, volume = 6 * std::sin(2 * a) / 2 * 4;
-  const RockShape hexagon = prism_shape(6, 2);  // of radius 1 and length 4
+  const double area = 6 * std::sin(2 * a) / 2;  // of a hexagon of radius 1
+  const RockShape hexagon = prism_shape(regular_outline(6), 4 / std::sqrt(area));
   const double along = (2 + std::cos(2 * a)) / 6, across = along / 2 + 16.0 / 12;
   expect_near(hexagon.gyration, Vec3{along, across, across} / std::pow(volume, 2.0 / 3));
 }
@@ -94,6 +96,75 @@ TEST(RockShape, LeavesOutPointsWithin) {
   for (const Vec3& corner : box_shape({1, 1, 1}).corners) points.push_back(corner);
   points.push_back({0.5, 0.1, 0.2});  // on a face
   EXPECT_EQ(hull_of(points).shape.corners.size(), 8U);
+}
+
+// A section has the moment of the prism that is as long as the root of its area: of a square, the cube's.
+TEST(RockShape, SectionsHaveTheMomentOfTheirPrism) {
+  const RockShape square = section_shape(regular_outline(4));
+  EXPECT_EQ(square.corners.size(), 4U);
+  EXPECT_NEAR(square.gyration.y(), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(square.reach, std::sqrt(0.5), 1e-12);
+  for (const Vec3& corner : square.corners) {
+    EXPECT_EQ(corner.y(), 0);
+    EXPECT_NEAR(std::abs(corner.z()), 0.5, 1e-12) << "the first side is below";
+  }
+  // A rectangle of 1 by 3, longer than its prism and shorter: (a^2 + b^2) / 12 about y, of an area of 1.
+  EXPECT_NEAR(section_shape(rectangle_outline(1.0 / 3)).gyration.y(), (3 + 1.0 / 3) / 12, 1e-12);
+  // An ellipse of area 1 with b/a = 1/2: (a^2 + b^2) / 4, with pi a b = 1.
+  const double a = std::sqrt(2 / std::numbers::pi), b = a / 2;
+  EXPECT_NEAR(section_shape(superellipse_outline(0.5, 2)).gyration.y(), (a * a + b * b) / 4, 1e-3);
+}
+
+TEST(RockShape, SuperEllipsesLieOnTheirCurve) {
+  for (const double power : {1.5, 2.0, 4.0, 8.0, 20.0}) {
+    for (const Vec2& p : superellipse_outline(0.6, power)) {
+      EXPECT_NEAR(std::pow(std::abs(p.x()), power) + std::pow(std::abs(p.y()) / 0.6, power), 1, 1e-12) << power;
+    }
+  }
+}
+
+TEST(RockShape, IcospheresHaveTheirTriangles) {
+  EXPECT_EQ(icosphere_shape(RegularSolid::octahedron).triangles.size(), 32U);
+  EXPECT_EQ(icosphere_shape(RegularSolid::icosahedron).triangles.size(), 80U);
+}
+
+TEST(RockShape, TurnsBackToTheFrameInWhichItWasGiven) {
+  Dice dice(3);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 20; ++i) points.push_back(dice.direction().times({1, 0.6, 0.4}));
+  const Hull hull = hull_of(points);
+  const double scale = std::cbrt(hull.volume);
+  for (std::size_t i = 0; i + 1 < hull.shape.corners.size(); ++i) {
+    const Vec3 between = scale * hull.shape.as_given.to_world(hull.shape.corners[i + 1] - hull.shape.corners[i]);
+    const bool is_found = std::ranges::any_of(points, [&](const Vec3& p) {
+      return std::ranges::any_of(points, [&](const Vec3& q) { return (q - p - between).norm() < 1e-9; });
+    });
+    EXPECT_TRUE(is_found) << i;
+  }
+}
+
+// Of a smooth body of a thousand points, 48 keep nearly all of the volume and the moments.
+TEST(RockShape, ThinnedHullsKeepTheBody) {
+  Dice dice(4);
+  std::vector<Vec3> points;
+  for (int i = 0; i < 1000; ++i) points.push_back(dice.direction().times({1, 0.8, 0.5}));
+  const Hull whole = hull_of(points), thinned = thinned_hull_of(points, 48);
+  EXPECT_EQ(thinned.shape.corners.size(), 48U);
+  EXPECT_GT(thinned.volume, 0.85 * whole.volume);
+  EXPECT_LT(thinned.volume, whole.volume);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(thinned.shape.gyration[k] / whole.shape.gyration[k], 1, 0.05);
+  EXPECT_EQ(thinned_hull_of(box_shape({1, 2, 3}).corners, 48).shape.corners.size(), 8U);
+}
+
+TEST(RockShape, IrregularBallsDifferAndAreTheSameEveryTime) {
+  const auto balls = irregular_balls(24), again = irregular_balls(24);
+  ASSERT_EQ(balls.size(), again.size());
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    EXPECT_EQ(balls[i].corners, again[i].corners);
+    EXPECT_EQ(balls[i].corners.size(), 24U);
+    EXPECT_NEAR(volume_of(balls[i]), 1, 1e-12);
+    EXPECT_TRUE(i == 0 || balls[i].corners != balls[0].corners);
+  }
 }
 
 std::string refusal(const std::vector<Vec3>& points) {

@@ -2,6 +2,7 @@
 // How a body is turned: a unit quaternion that takes vectors from the frame of the body to that of the terrain.
 
 #include <cmath>
+#include <numbers>
 
 #include "talus/core/matrix.hpp"
 
@@ -24,6 +25,12 @@ class Orientation {
     const double share = angle > 1e-8 ? std::sin(0.5 * angle) / angle : 0.5;
     const Vec3 v = share * turn;
     return {std::cos(0.5 * angle), v.x(), v.y(), v.z()};
+  }
+  /// Every orientation is equally likely if the three numbers are uniform in (0, 1): K. Shoemake, "Uniform random
+  /// rotations", Graphics Gems III (1992).
+  [[nodiscard]] static Orientation uniform(double u, double v, double w) {
+    const double p = std::sqrt(1 - u), q = std::sqrt(u), a = 2 * std::numbers::pi * v, b = 2 * std::numbers::pi * w;
+    return {q * std::cos(b), p * std::sin(a), p * std::cos(a), q * std::sin(b)};
   }
 
   /// Of a rotation matrix, by its largest component (S. W. Shepperd, "Quaternion from rotation matrix", 1978).

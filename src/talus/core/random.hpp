@@ -24,6 +24,8 @@ enum class Stream : std::uint32_t {
   slope_vertex = 10,  // first number: x, second: z
   met_face = 11,      // of rough ground: pairs of proposals (ground/rough_ground.hpp)
   bump = 12,          // the way along rough ground to the next bump
+  shape = 13,         // pairs: which kind and which of its hulls; b/a and c/b
+  orientation = 14,   // of release: two numbers, and the first of the next pair
 };
 
 /// The generator: four words, a pure function of the arguments.

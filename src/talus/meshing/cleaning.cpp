@@ -217,9 +217,9 @@ std::vector<MeshEdge> find_neighbours(CleanMesh& mesh) {
 
 // Finds the triangles to flip. A flood fill from facet to facet makes the winding of each component consistent; then
 // each component is flipped as a whole if it faces into the ground.
-class Orientation {
+class WindingRepair {
  public:
-  explicit Orientation(CleanMesh& mesh) : mesh_(mesh), turned_(mesh.triangles.size()), seen_(mesh.triangles.size()) {}
+  explicit WindingRepair(CleanMesh& mesh) : mesh_(mesh), turned_(mesh.triangles.size()), seen_(mesh.triangles.size()) {}
 
   void find() {
     for (std::uint32_t seed = 0; seed < mesh_.triangles.size(); ++seed) {
@@ -371,7 +371,7 @@ CleanMesh clean(RawMesh raw, const CleaningOptions& options) {
   mesh.report.crack_m = std::max(widest_crack_m, options.weld_tolerance_m);
   mesh.report.loose_edges = loose_edges(mesh.vertices, mesh.triangles, boundary, mesh.report.crack_m);
   stop_point();
-  Orientation orientation{mesh};
+  WindingRepair orientation{mesh};
   orientation.find();
   orientation.apply();
   count_steep_facets(mesh);

@@ -1,26 +1,13 @@
 #pragma once
-// Shapes of rocks: the convex hull of points, with its volume and its moments of inertia.
+// Shapes of rocks by name and by proportions.
 
 #include <span>
+#include <vector>
 
+#include "talus/core/vec.hpp"
 #include "talus/rocks/shape.hpp"
 
 namespace talus {
-
-/// A hull as it was given.
-struct Hull {
-  RockShape
-      shape;  // scaled to 1 m3, about its centre of mass, its longest axis of inertia along x, the shortest along z
-  double volume = 0;  // before that, in the cube of the points' unit
-};
-
-/// The hull of points in any unit and place. Throws BadInput if there are fewer than four, if one is not a number, or
-/// if they lie in a plane.
-///
-/// The moments are exact, summed over the tetrahedra between the centre and the triangles of the hull: F. Tonon,
-/// "Explicit exact formulas for the 3-D tetrahedron inertia tensor in terms of its vertex coordinates", Journal of
-/// Mathematics and Statistics 1 (2004).
-[[nodiscard]] Hull hull_of(std::span<const Vec3> points);
 
 /// Of any three edges or axes that are given in the same unit.
 [[nodiscard]] RockShape box_shape(const Vec3& edges);
@@ -29,8 +16,28 @@ struct Hull {
 
 enum class RegularSolid { tetrahedron, cube, octahedron, dodecahedron, icosahedron };
 [[nodiscard]] RockShape regular_shape(RegularSolid solid);
+/// A ball of 32 triangles from an octahedron, or of 80 from an icosahedron: the middles of the edges moved out to the
+/// sphere.
+[[nodiscard]] RockShape icosphere_shape(RegularSolid solid);
 
-/// Over a regular polygon with so many sides, at least three; `length` over the diameter of the circle about it.
-[[nodiscard]] RockShape prism_shape(int sides, double length);
+// Outlines of sections: points in the plane of x and z, in order.
+
+/// Of a regular polygon whose first side is below.
+[[nodiscard]] std::vector<Vec2> regular_outline(int sides);
+/// |x/a|^p + |z/b|^p = 1 with a = 1 and b = `b_over_a`, at 48 points between which it turns by equal angles. An ellipse
+/// for a power of 2; a rectangle with rounded corners for more.
+[[nodiscard]] std::vector<Vec2> superellipse_outline(double b_over_a, double power);
+[[nodiscard]] std::vector<Vec2> rectangle_outline(double b_over_a);
+
+/// An outline extruded along y, by `length` times the square root of its area. The outline is taken as convex: its
+/// hull. Throws BadInput if it has no area.
+[[nodiscard]] RockShape prism_shape(std::span<const Vec2> outline, double length = 1);
+/// The same for rocks that move in a section only: a corner for each of the outline, in the frame of the outline, and
+/// the moment of the prism about y. Those about x and z are the same: they play no part.
+[[nodiscard]] RockShape section_shape(std::span<const Vec2> outline);
+
+/// Hulls of so many points, evenly spread on a sphere and then moved at random by up to a third of their distance: to
+/// be stretched to blocks of given axes, no two alike (seeding/rock_shapes.hpp). The same list every time.
+[[nodiscard]] std::vector<RockShape> irregular_balls(int corners);
 
 }  // namespace talus

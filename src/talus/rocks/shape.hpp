@@ -1,6 +1,6 @@
 #pragma once
 // A convex rock: the corners of its hull, in the frame of the body - the principal axes of inertia through the centre
-// of mass. A shape has a volume of 1 m3; rocks scale it.
+// of mass, the longest of the block along x. A shape has a volume of 1 m3; rocks scale it.
 
 #include <array>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "talus/core/orientation.hpp"
 #include "talus/core/vec.hpp"
 #include "talus/rocks/rock.hpp"
 
@@ -19,6 +20,7 @@ struct RockShape {
   std::vector<std::array<std::uint32_t, 3>> triangles;  // of the hull, counter-clockwise from outside
   Vec3 gyration;                                        // principal moments of inertia over the mass [m2]
   double reach = 0;                                     // from the centre to the farthest corner [m]
+  Orientation as_given;                                 // from the body's frame to that in which it was given
 };
 
 /// A rock of a shape, as its equations need it.
