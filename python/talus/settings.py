@@ -13,7 +13,7 @@ import numpy as np
 
 from .distributions import _Distribution, Empirical
 
-__all__ = ["Table", "Analysis", "Sampling", "Terrain", "Material", "Ground", "Area", "Seeder", "Barrier", "Collector", "Kit", "Design", "Output", "Report", "Layer"]
+__all__ = ["Table", "Analysis", "Sampling", "Terrain", "Material", "Ground", "Area", "Shape", "Seeder", "Barrier", "Collector", "Kit", "Design", "Output", "Report", "Layer"]
 
 Real = Union[float, "np.floating[Any]", "np.integer[Any]"]
 Property = Union[Real, _Distribution, Empirical, Mapping[str, Any]]
@@ -38,8 +38,8 @@ class Analysis(Table):
     them. It chooses the defaults of the other keys of this table, each of which may still be given. Default:
     "talus".
 
-    model: A rock is a point with mass and spin (`lumped_mass`, the law of CRSP) or a sphere with a radius
-    (`rigid_sphere`). Default: "lumped_mass".
+    model: A rock is a point with mass and spin (`lumped_mass`, the law of CRSP), a sphere with a radius
+    (`rigid_sphere`), or a block with the shape of its seeder (`rigid_body`). Default: "lumped_mass".
 
     rotation: Lumped mass: impacts couple spin and velocity; without it, they follow plain restitution. Default:
     true.
@@ -91,15 +91,15 @@ class Analysis(Table):
     rn_mass_scale_kg: Mass at which scaling by mass halves the normal restitution. Unit: kg. Range: more than 0, at
     most 1e+12. Default: 1000.
 
-    tangential_crsp_damping: Rigid sphere: the tangential velocity after an impact is damped as in CRSP. Default:
-    true.
+    tangential_crsp_damping: Rigid sphere and body: the tangential velocity of a sphere after an impact is damped as
+    in CRSP. Default: true.
 
-    rolling_resistance_in_impacts: Rigid sphere: rolling friction also acts on the impulse of an impact, so that a
-    sphere that bounces along the ground loses as much as one that rolls there. Default: true.
+    rolling_resistance_in_impacts: Rigid sphere and body: rolling friction also acts on the impulse of an impact, so
+    that a rock that bounces along the ground loses as much as one that rolls there. Default: true.
     """
 
     laws: Literal["talus", "rocfall"] | None = None
-    model: Literal["lumped_mass", "rigid_sphere"] | None = None
+    model: Literal["lumped_mass", "rigid_sphere", "rigid_body"] | None = None
     rotation: bool | None = None
     gravity_m_s2: Real | None = None
     sliding: Literal["stepped", "closed_form"] | None = None
@@ -309,11 +309,11 @@ class Material(Table):
     from which the tilts of its faces follow; in place of `roughness_deg`. With the laws of RocFall, of rigid
     spheres only, and in addition to `roughness_deg`. Unit: m. Range: at least 0, at most 100000. Default: 0.
 
-    dynamic_friction: Rigid sphere: mu, the coefficient of friction while the contact slips. Range: at least 0, at
-    most 1e+06. Default: 0.5.
+    dynamic_friction: Rigid sphere and body: mu, the coefficient of friction while the contact slips. Range: at
+    least 0, at most 1e+06. Default: 0.5.
 
-    rolling_friction: Rigid sphere: mu_r, the moment that resists rolling, divided by weight and radius. Range: at
-    least 0, at most 1e+06. Default: 0.1.
+    rolling_friction: Rigid sphere and body: mu_r, the moment that resists rolling, divided by weight and radius.
+    Range: at least 0, at most 1e+06. Default: 0.1.
 
     forest: Density of the forest on this ground: the drag is 250 kg/s for `open`, 500 kg/s for `medium`, 750 kg/s
     for `dense`. Default: "none". Excludes forest_drag_kg_s.
@@ -407,6 +407,73 @@ class Area(Table):
 
 
 @dataclass(kw_only=True)
+class Shape(Table):
+    """[[shape]]: A shape of rocks, for `shape` of a seeder; any number of entries. Rocks are convex.
+
+    name: Name, for seeders; must be unique, and none of the words that a seeder's `shape` has. Required.
+
+    b_over_a: Intermediate axis over the longest, drawn for each rock; in 2D, the shorter axis over the longer.
+    Range: at least 0.05, at most 1. Without it: one of of, scan, polygon, sides, axes_m, b_over_a and solid is
+    required. Excludes axes_m, solid, sides, polygon, scan, of.
+
+    c_over_b: 3D: shortest axis over the intermediate, drawn for each rock. Range: at least 0.05, at most 1. Without
+    it: required with `b_over_a` in 3D. Excludes axes_m, solid, sides, polygon, scan, of.
+
+    axes_m: The axes of a block, three in 3D and two in 2D, in any order. Only their ratios count: the size is the
+    seeder's. Unit: m. Without it: one of of, scan, polygon, sides, axes_m, b_over_a and solid is required. Excludes
+    b_over_a, c_over_b, solid, sides, polygon, scan, of.
+
+    style: `rounded`: the hull of points near an ellipsoid, no two blocks alike (2D: an ellipse); `angular`: of
+    fewer points (3D); `box`: a box (2D: a rectangle). Default: "rounded".
+
+    corners: 3D: number of corners of a rounded or angular block; most corners of a scan. Range: at least 6, at most
+    200. Without it: 24, or 12 of an angular block; of a scan at most 48.
+
+    power: 2D: the power p of a super-ellipse |x/a|^p + |z/b|^p = 1. Range: at least 1.5, at most 20. Without it: 2,
+    an ellipse.
+
+    solid: 3D: a regular solid, or a ball of 32 or 80 triangles. Default: "none". Excludes b_over_a, c_over_b,
+    axes_m, sides, polygon, scan, of.
+
+    sides: A regular polygon with so many sides; in 3D a prism over it. Range: at least 3, at most 48. Without it:
+    one of of, scan, polygon, sides, axes_m, b_over_a and solid is required. Excludes b_over_a, c_over_b, axes_m,
+    solid, polygon, scan, of.
+
+    polygon: Three or more corners [x, z] of a section; in 3D a prism over it. The rock is their convex hull, scaled
+    to its volume. Unit: m. Without it: one of of, scan, polygon, sides, axes_m, b_over_a and solid is required.
+    Excludes b_over_a, c_over_b, axes_m, solid, sides, scan, of.
+
+    length_ratio: 3D: length of the prism over the square root of the area of its section. Range: at least 0.05, at
+    most 20. Default: 1.
+
+    scan: 3D: a file of a measured block: a mesh (OBJ, STL, PLY) or points (text), in any unit. The rock is its
+    convex hull, scaled to its volume. The path is relative to the project file. Without it: one of of, scan,
+    polygon, sides, axes_m, b_over_a and solid is required. Excludes b_over_a, c_over_b, axes_m, solid, sides,
+    polygon, of.
+
+    of: Names of other shapes, one of which is drawn for each rock. Without it: one of of, scan, polygon, sides,
+    axes_m, b_over_a and solid is required. Excludes b_over_a, c_over_b, axes_m, solid, sides, polygon, scan.
+
+    shares: Shares of the rocks, in the order of `of`; any positive numbers. Without it: equal.
+    """
+
+    name: str | None = None
+    b_over_a: Property | None = None
+    c_over_b: Property | None = None
+    axes_m: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    style: Literal["rounded", "angular", "box"] | None = None
+    corners: int | np.integer[Any] | None = None
+    power: Real | None = None
+    solid: Literal["none", "tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron", "icosphere_32", "icosphere_80"] | None = None
+    sides: int | np.integer[Any] | None = None
+    polygon: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+    length_ratio: Real | None = None
+    scan: File | None = None
+    of: Sequence[str] | np.ndarray[Any, Any] | None = None
+    shares: Sequence[Real] | np.ndarray[Any, Any] | None = None
+
+
+@dataclass(kw_only=True)
 class Seeder(Table):
     """[[seeder]]: Where rocks start, how many, how large and how fast; any number of entries.
 
@@ -495,6 +562,13 @@ class Seeder(Table):
     density_kg_m3: Density of the rock; mass and density give the radius. Unit: kg/m3. Range: at least 100, at most
     20000. Default: 2700.
 
+    shape: Rigid body: shape of the rocks: the name of a `[[shape]]`, or one of the words of docs/shapes.md, such as
+    `"equant"`, `"flat"`, `"long"`, `"cube"`, `"hexagon"`. Mass and density give the volume. Default: "sphere".
+
+    orientation_deg: Rigid body: how the rocks are turned at release. 3D: [about z, about y, about x], the last
+    first; a block's longest axis is along x, its shortest along z. 2D: [angle], about y, from z to x. Unit: deg.
+    Without it: random, every orientation equally likely.
+
     horizontal_velocity_m_s: Horizontal velocity of release, along `direction`. Unit: m/s. Range: at least -10000,
     at most 10000. Default: 0. Excludes speed_m_s.
 
@@ -539,6 +613,8 @@ class Seeder(Table):
     volume_m3: Property | None = None
     diameter_m: Property | None = None
     density_kg_m3: Property | None = None
+    shape: str | None = None
+    orientation_deg: Sequence[Real] | np.ndarray[Any, Any] | None = None
     horizontal_velocity_m_s: Property | None = None
     vertical_velocity_m_s: Property | None = None
     speed_m_s: Property | None = None

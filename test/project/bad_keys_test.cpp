@@ -78,11 +78,11 @@ gravity_m_s2 = 9.81)",
        R"([weather]
 wind = 3)"}},
      "slope.toml:3: unknown table [weather] (expected one of name, analysis, sampling, terrain, material, ground, "
-     "area, seeder, barrier, collector, kit, design, output, report or layer)"},
+     "area, shape, seeder, barrier, collector, kit, design, output, report or layer)"},
     {"UnknownKeyBeforeTheFirstTable",
      {{R"(name = "Slope")", R"(titel = "Slope")"}},
      "slope.toml:1: unknown key \"titel\" (expected one of name, analysis, sampling, terrain, material, ground, area, "
-     "seeder, barrier, collector, kit, design, output, report or layer)"},
+     "shape, seeder, barrier, collector, kit, design, output, report or layer)"},
     {"TableOnceInsteadOfList",
      {{"[[barrier]]", "[barrier]"}},
      "slope.toml:27: [barrier] is a single table (there may be several; expected [[barrier]])"},

@@ -41,11 +41,12 @@ const std::vector<BadProject> bad_values{
      "slope.toml:4: [analysis]: rotation is \"true\" (expected true or false). Leave out the quotes"},
     {"UnknownWord",
      {{"gravity_m_s2 = 9.81", R"(model = "rigid")"}},
-     "slope.toml:4: [analysis]: model is \"rigid\" (expected \"lumped_mass\" or \"rigid_sphere\"). Did you mean "
+     "slope.toml:4: [analysis]: model is \"rigid\" (expected \"lumped_mass\", \"rigid_sphere\" or \"rigid_body\"). Did "
+     "you mean "
      "\"rigid_sphere\"?"},
     {"NumberForWord",
      {{"gravity_m_s2 = 9.81", "model = 2"}},
-     "slope.toml:4: [analysis]: model is 2 (expected \"lumped_mass\" or \"rigid_sphere\")"},
+     "slope.toml:4: [analysis]: model is 2 (expected \"lumped_mass\", \"rigid_sphere\" or \"rigid_body\")"},
     {"RestitutionGainsEnergy",
      {{"normal_restitution = 0.4", R"(normal_restitution = { mean = 1.3, distribution = "normal", std_dev = 0.03 })"}},
      "slope.toml:11: material \"Rock\": normal_restitution mean is 1.3 (a rebound cannot gain energy; expected 0 to "

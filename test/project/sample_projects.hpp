@@ -359,9 +359,67 @@ mass_kg = 10
                      drawing.string());
 }();
 
-inline const std::vector<const char*> samples{survey,      inline_polylines,    polygon_file, in_2d,
-                                              inline_mesh, mesh_file,           raster_file,  from_gis,
-                                              extruded,    section_file.c_str()};
+inline constexpr const char* blocks_in_3d = R"(
+[analysis]
+model = "rigid_body"
+[terrain]
+section = [[0, 20], [10, 5], [30, 0]]
+width_m = 20
+[[material]]
+name = "Rock"
+[[shape]]
+name = "Slabs"
+b_over_a = { mean = 0.8, distribution = "normal", std_dev = 0.1, rel_min = 0.2, rel_max = 0.2 }
+c_over_b = 0.4
+style = "angular"
+corners = 16
+[[shape]]
+name = "One"
+axes_m = [1.2, 0.9, 0.6]
+[[shape]]
+name = "Ball"
+solid = "icosphere_80"
+[[shape]]
+name = "Column"
+sides = 6
+length_ratio = 3
+[[shape]]
+name = "Scan"
+scan = "block.obj"
+[[shape]]
+name = "All"
+of = ["Slabs", "flat"]
+shares = [2, 1]
+[[seeder]]
+position = [1, 10, 25]
+mass_kg = 10
+shape = "All"
+orientation_deg = [30, 20, 10]
+)";
+
+inline constexpr const char* blocks_in_2d = R"(
+[analysis]
+model = "rigid_body"
+[terrain]
+section = [[0, 20], [10, 5], [30, 0]]
+[[material]]
+name = "Rock"
+[[shape]]
+name = "Superellipse"
+b_over_a = 0.8
+power = 4
+[[shape]]
+name = "Section"
+polygon = [[0, 0], [1, 0], [0.8, 0.7]]
+[[seeder]]
+position = [1, 25]
+mass_kg = 10
+shape = "Section"
+)";
+
+inline const std::vector<const char*> samples{
+    survey,   inline_polylines, polygon_file,         in_2d,        inline_mesh, mesh_file, raster_file,
+    from_gis, extruded,         section_file.c_str(), blocks_in_3d, blocks_in_2d};
 
 inline nlohmann::ordered_json as_json(const char* toml_text) {
   const toml::table parsed = toml::parse(std::string_view(toml_text));

@@ -144,12 +144,12 @@ TEST(ReferencePage, NamesEverySettingAndItsMeaning) {
 TEST(SettingsOfOneRockModel, AreMarkedInTheSchemaAndTheReference) {
   const Json materials = schema()["properties"]["material"]["items"]["properties"];
   EXPECT_EQ(materials["rolling_friction"]["x-applies-when"],
-            Json::parse(R"([[{"key": "analysis.model", "is": ["rigid_sphere"]}]])"));
+            Json::parse(R"([[{"key": "analysis.model", "is": ["rigid_sphere", "rigid_body"]}]])"));
   EXPECT_EQ(materials["friction_angle_deg"]["x-applies-when"],
             Json::parse(R"([[{"key": "analysis.model", "is": ["lumped_mass"]}]])"));
   EXPECT_FALSE(materials["normal_restitution"].contains("x-applies-when"));
   EXPECT_EQ(materials["friction_angle_deg"]["description"], "Lumped mass: phi, the friction angle of sliding.");
-  EXPECT_NE(reference_page().find("Rigid sphere: mu, the coefficient of friction while the contact slips."),
+  EXPECT_NE(reference_page().find("Rigid sphere and body: mu, the coefficient of friction while the contact slips."),
             std::string::npos);
 }
 

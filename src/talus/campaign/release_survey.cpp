@@ -16,7 +16,8 @@ ReleaseSurvey survey_releases(const Model& model, std::uint64_t most) {
           const Seeder& seeder = seeder_of(model, rock);
           const Draws draws({model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
           RockRecord record;
-          const Vec3 place = release_of(model, surface, draws, seeder, record).motion.position;
+          RockShape shape;
+          const Vec3 place = release_of(model, surface, draws, seeder, record, shape).motion.position;
           found.diameters[record.seeder.index].push_back(2 * record.body.radius);
           if (record.was_lifted) found.in_ground.push_back(rock);
           const auto ground = surface.elevation(place.x(), place.y(), place.z());

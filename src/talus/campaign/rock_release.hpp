@@ -12,10 +12,10 @@
 
 namespace talus {
 
-/// A rock's release; fills in what the record contains before the rock moves.
+/// A rock's release; fills in what the record contains before the rock moves. `own`: as for give_shape().
 template <class Surface>
 Release release_of(const Model& model, const Surface& surface, const Draws& draws, const Seeder& seeder,
-                   RockRecord& record) {
+                   RockRecord& record, RockShape& own) {
   const ReleasePlace start =
       place_of(seeder, {model.seed, model.sampling, seeder.first_rock, seeder.rocks}, draws.rock());
   record.seeder = SeederId{static_cast<std::uint32_t>(&seeder - model.seeders.data())};
@@ -33,7 +33,9 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
                          : seeder.direction                     ? *seeder.direction
                                                                 : fall_line(surface, place);
   Release release = release_at(seeder, place, direction, draws, start.given);
-  const double reach = reach_of(model.laws.model, release.rock);
+  if (has_extent(model.laws.model)) give_shape(release, seeder, draws, start.given, own);
+  const double reach =
+      release.shape != nullptr ? body_of(*release.shape, release.rock).reach : reach_of(model.laws.model, release.rock);
   const ClearPlace clear = clear_place(surface, place, reach);
   if (clear.fit != Fit::as_given) {
     release.motion.position.z() = clear.z;

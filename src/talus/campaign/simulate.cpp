@@ -41,11 +41,12 @@ class RockInProgress {
 
  private:
   void start(const Model& model, const Surface& surface, const BarrierList& barriers, const Seeder& seeder) {
-    const Release release = release_of(model, surface, *draws_, seeder, record);
+    const Release release = release_of(model, surface, *draws_, seeder, record, shape_);
     run_.emplace(Scene<Surface>{surface, model.ground, barriers, model.laws}, release, *draws_, log);
   }
 
   std::optional<Draws> draws_;
+  RockShape shape_;  // if only this rock has it
   std::optional<OwnSection> section_;
   const Model* section_of_ = nullptr;
   std::optional<RockRun<Surface>> run_;
@@ -126,8 +127,9 @@ Vec3 start_of(const Model& whole, std::uint64_t rock) {
   const Seeder& seeder = seeder_of(model, rock);
   const Draws draws({model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
   RockRecord record;
+  RockShape shape;
   return std::visit(
-      [&](const auto& surface) { return release_of(model, surface, draws, seeder, record).motion.position; },
+      [&](const auto& surface) { return release_of(model, surface, draws, seeder, record, shape).motion.position; },
       *whole.surface);
 }
 

@@ -146,10 +146,11 @@ inline constexpr double turn_in_touch = 0.02;
 inline constexpr double way_in_touch = 0.1;
 /// A corner strikes at once if it would within this share of a step.
 inline constexpr double soon_struck = 1e-3;
-/// A body is in the air again if nothing has pushed it for so long [s], and its corners are so far above the ground [m].
+/// A body is in the air again if nothing has pushed it for so long [s], and its corners are so far above the ground
+/// [m].
 inline constexpr double apart_in_flight = 0.01;
 inline constexpr double clear_in_flight = 1e-5;
-/// It rests if it has hardly moved for so long [s], and friction holds it: gravity moves it by less than this share.
+/// It rests if it has hardly moved for so long [s], and is held: gravity moves it by less than this share.
 inline constexpr double quiet_at_rest = 0.3;
 inline constexpr double held_share = 1e-3;
 

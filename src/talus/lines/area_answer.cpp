@@ -135,7 +135,7 @@ void parts_inside(const AskedArea& area, const Parabola& path, double duration,
 
 std::optional<RockInside> rock_inside(const Model& model, const AskedArea& area, const RockPath& path) {
   thread_local std::vector<std::pair<double, double>> parts;
-  const bool is_sphere = model.laws.model == RockModel::rigid_sphere;
+  const bool is_sphere = has_extent(model.laws.model);
   const Rock& body = path.record.body;
   std::optional<RockInside> inside;
   const double reach = reach_of(model.laws.model, body);

@@ -63,7 +63,7 @@ std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis
                        .rocks = paths.rocks().size()});
   }
 
-  const auto near = rocks_near(paths, lines, model.laws.model == RockModel::rigid_sphere);
+  const auto near = rocks_near(paths, lines, has_extent(model.laws.model));
   constexpr std::size_t in_block = 64;
   std::vector<std::vector<Found>> found((near.size() + in_block - 1) / in_block);
   struct Reader {

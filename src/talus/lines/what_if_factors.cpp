@@ -48,7 +48,7 @@ class Varying {
 
   void material(std::size_t row) {
     Material& material = variation_.project.materials[row];
-    const bool is_sphere = before_.analysis.model == RockModel::rigid_sphere;
+    const bool is_sphere = has_extent(before_.analysis.model);
     const auto change = [&](Distribution Material::*member, const char* key) {
       distribution(material.*member, "material", row, key, factor_);
     };

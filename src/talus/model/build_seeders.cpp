@@ -10,6 +10,7 @@
 #include "talus/core/stop.hpp"
 #include "talus/gdal/zone_in_easting.hpp"
 #include "talus/import/vector_file.hpp"
+#include "talus/model/build_shapes.hpp"
 #include "talus/model/build_terrain.hpp"
 #include "talus/model/choose_cells.hpp"
 #include "talus/model/drawn.hpp"
@@ -39,6 +40,7 @@ class SeederBuilder {
       seeder.rocks_at_once = static_cast<std::uint64_t>(project_.sampling.ensembles);
     if (s.at_points.z_is_surface || s.height_above_m) seeder.above_surface = s.height_above_m.value_or(0);
     set_size_and_speed(s, seeder);
+    if (!set_shapes(s, seeder)) return;
     const bool is_placed =
         std::visit(Overloaded{[&](const AtPoints& at) { return place_at_points(s, at.points, seeder); },
                               [&](const AlongLines& lines) { return place_along_lines(s, lines.file, seeder); },
@@ -68,6 +70,20 @@ class SeederBuilder {
     problems_.add({Severity::error, project_.file.string(), s.line, fmt::format("seeder \"{}\"", s.name),
                    std::move(what), std::move(why), std::move(hint)});
     return false;
+  }
+
+  bool set_shapes(const Seeder& s, talus::Seeder& seeder) {
+    seeder.turn = release_turn(project_, s);
+    if (project_.analysis.model != RockModel::rigid_body) return true;
+    try {
+      std::string about;
+      seeder.shapes = build_shapes(project_, s.shape, about, warnings_);
+      if (!about.empty()) report(about);
+    } catch (const BadInput& bad) {
+      problems_.append(bad.problems());
+      return false;
+    }
+    return true;
   }
 
   SourceId source_of(const std::string& name) {
@@ -160,7 +176,7 @@ class SeederBuilder {
     }
     const std::size_t rows = read.table.count();
     if (table.rocks_per_row && !set_rocks(s, seeder, *table.rocks_per_row, rows, "rows")) return false;
-    bool good = true;
+    bool good = set_shapes_of_rows(s, read.table, seeder);
     for (std::size_t row = 0; row < rows; ++row) {
       stop_point(row);
       const Vec3& place = read.table.place(row);
@@ -181,6 +197,19 @@ class SeederBuilder {
                        read.columns, seeder.rocks));
     seeder.where = std::move(read.table);
     return good;
+  }
+
+  /// Axes in a table stretch the blocks of the seeder's shape; without one, rounded blocks.
+  bool set_shapes_of_rows(const Seeder& s, const ReleaseTable& table, talus::Seeder& seeder) {
+    if (!table.has_axes()) return true;
+    if (s.shape == sphere_word) {
+      std::string about;
+      seeder.shapes = build_shapes(project_, "equant", about, warnings_);
+    }
+    const auto is_fixed = [](const RockKind& kind) { return !kind.stretch; };
+    if (std::ranges::none_of(seeder.shapes->kinds, is_fixed)) return true;
+    return report(s, fmt::format("shape is \"{}\", and its table gives the axes of blocks", s.shape),
+                  "only a block can have any axes", "Use a shape with b_over_a and c_over_b, or rename a_m, b_m, c_m");
   }
 
   /// `each` rocks from each of `count` places.

@@ -14,7 +14,9 @@ namespace {
 const Setting* random_property(std::string_view key) {
   static Material material;  // slots are places in a row
   static Seeder seeder;
-  for (const auto& [name, row] : {std::pair<const char*, Row>("material", &material), {"seeder", &seeder}}) {
+  static Shape shape;
+  for (const auto& [name, row] :
+       {std::pair<const char*, Row>("material", &material), {"seeder", &seeder}, {"shape", &shape}}) {
     const Setting* const setting = table(name).find(key);
     if (setting != nullptr && is_random_property(setting->slot(row))) return setting;
   }

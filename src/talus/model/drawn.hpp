@@ -13,7 +13,8 @@ struct Drawn {
   Bounds bounds;              // limits of all draws, whatever the distribution
 };
 
-/// The distribution of a setting of [[material]] or [[seeder]], by its key; nullopt if it is not a random property.
+/// The distribution of a setting of [[material]], [[seeder]] or [[shape]], by its key; nullopt if it is not a random
+/// property.
 [[nodiscard]] std::optional<Drawn> drawn(std::string_view key, const Distribution& given);
 
 /// The sampler of a random property; `scale` converts its unit to SI. Expects the key of a random property.

@@ -115,9 +115,19 @@ void put(ByteWriter& out, const talus::Material& material) {
   put_samples(out, rn, rt, friction_angle, roughness, dynamic_friction, rolling_friction);
 }
 
+/// Hulls may come from files. The rest of a shape, and how rocks are turned, follows from the project's text.
+void put(ByteWriter& out, const RockKind& kind) {
+  const auto& [share, hulls, stretch] = kind;
+  for (const RockShape& hull : hulls) {
+    out.count(hull.corners.size());
+    for (const Vec3& corner : hull.corners) put(out, corner);
+  }
+  if (stretch) put_samples(out, stretch->b_over_a, stretch->c_over_b);
+}
+
 void put(ByteWriter& out, const talus::Seeder& seeder) {
   const auto& [name, source, first_rock, rocks, rocks_at_once, step, where, above_surface, size_of, size, density,
-               direction, speed, horizontal, vertical, spin] = seeder;
+               direction, speed, horizontal, vertical, spin, shapes, turn] = seeder;
   out.text(name);
   out.put(source.index);
   out.put(first_rock);
@@ -129,6 +139,7 @@ void put(ByteWriter& out, const talus::Seeder& seeder) {
   out.flag(direction.has_value());
   put(out, direction.value_or(Vec3{}));
   put_samples(out, size, density, horizontal, vertical, spin, speed);
+  for (const RockKind& kind : shapes->kinds) put(out, kind);
 }
 
 void put(ByteWriter& out, const talus::Barrier& barrier) {

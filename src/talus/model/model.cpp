@@ -43,8 +43,7 @@ std::vector<talus::Material> materials_of(const Project& project) {
 }
 
 ImpactLaw impact_law_of(const Analysis& a) {
-  if (a.model == RockModel::rigid_sphere)
-    return RigidSphereImpact{a.tangential_crsp_damping, a.rolling_resistance_in_impacts};
+  if (has_extent(a.model)) return RigidSphereImpact{a.tangential_crsp_damping, a.rolling_resistance_in_impacts};
   if (a.rotation) return CrspLaw{};
   return PlainImpact{};
 }

@@ -28,6 +28,7 @@ const std::array<ReleaseColumnFacts, release_column_count>& columns() {
     Range radius_range = setting("seeder", "diameter_m").range;
     radius_range.least /= 2;
     radius_range.most /= 2;
+    const Range& axis_range = setting("shape", "axes_m").range;
     return std::array<ReleaseColumnFacts, release_column_count>{{
         {x, "x", "m", "m", given_place, {}, "x of the release; required, except in a file of points"},
         {y, "y", "m", "m", given_place, {}, "y; required in 3D, except in a file of points"},
@@ -85,11 +86,17 @@ const std::array<ReleaseColumnFacts, release_column_count>& columns() {
          {},
          "spin, positive if the rock "
          "rolls forwards"},
+        {axis_a, "a", "m", "m", "", axis_range,
+         "longest axis of a block; rigid bodies in 3D, with b and c: only their "
+         "ratios count"},
+        {axis_b, "b", "m", "m", "", axis_range, "intermediate axis"},
+        {axis_c, "c", "m", "m", "", axis_range, "shortest axis"},
     }};
   }();
   return list;
 }
 
+bool is_axis(ReleaseColumn column) { return column == axis_a || column == axis_b || column == axis_c; }
 bool is_coordinate(ReleaseColumn column) { return column == x || column == y || column == z; }
 
 class Finder {
@@ -133,6 +140,7 @@ class Finder {
 
   [[nodiscard]] std::optional<ReleaseColumn> meaning_of(std::string_view plain) const {
     for (const ReleaseColumnFacts& facts : columns()) {
+      if (is_axis(facts.column) && !request_.has_axes) continue;
       const std::string name = facts.name();
       if (plain == name || (is_coordinate(facts.column) && plain == facts.stem)) return facts.column;
       constexpr std::size_t longest = 10;

@@ -37,9 +37,12 @@ enum class ReleaseColumn {
   wx,
   wy,
   wz,
-  spin
+  spin,
+  axis_a,
+  axis_b,
+  axis_c
 };
-inline constexpr std::size_t release_column_count = 21;
+inline constexpr std::size_t release_column_count = 24;
 
 struct ReleaseColumnFacts {
   ReleaseColumn column;
@@ -74,6 +77,7 @@ struct ColumnRequest {
   std::string name_column, source_column;  // as the project names them; empty: `name` if there is one, none
   bool is_2d = false;
   bool has_geometry = false;  // x and y are those of the points
+  bool has_axes = false;      // axes of blocks are read: rocks are rigid bodies in 3D
   /// Names were cut to ten letters, as in a Shapefile.
   bool are_cut = false;
 };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <initializer_list>
 #include <numbers>
 #include <numeric>
@@ -62,6 +63,7 @@ class RowReader {
     given.spin_vector = vector_of(wx, wy, wz, "spin");
     given.spin = value(spin) * radians;
     read_size(given);
+    read_axes(given);
     std::string name = text_of(columns_.name);
     const std::string source = text_of(columns_.source);
     if (!is_good_) return;
@@ -213,6 +215,25 @@ class RowReader {
            fmt::format("expected {}", range.text()), "Compare their units");
   }
 
+  void read_axes(ReleaseRow& given) {
+    if (!columns_.has(axis_a) && !columns_.has(axis_b) && !columns_.has(axis_c)) return;
+    const std::array axes{axis_a, axis_b, axis_c};
+    const auto count = std::ranges::count_if(axes, [&](Column column) { return has(column); });
+    if (count == 0) {
+      if (seeder_.shape == sphere_word)
+        refuse("the row gives no axes", "other rows may have them, and the seeder names no shape", "Give it a shape");
+      return;
+    }
+    if (count < 3) return refuse("the row gives only some axes", "a block has three: a_m, b_m and c_m");
+    given.axes = {value(axis_a), value(axis_b), value(axis_c)};
+    std::sort(given.axes.data(), given.axes.data() + Vec3::size(), std::greater{});
+    const Range& ratio = setting("shape", "b_over_a").range;
+    if (given.axes[2] < ratio.least * given.axes[0]) {
+      refuse(fmt::format("its shortest axis is {:.2g} of the longest", given.axes[2] / given.axes[0]),
+             fmt::format("expected at least {:g}", ratio.least), "Compare their units");
+    }
+  }
+
   SourceId source_of(const std::string& name) {
     const std::string& source = name.empty() ? seeder_.source : name;
     const auto known = sources_.find(source);
@@ -293,6 +314,7 @@ class TableFile {
     return {.name_column = table_.name_attribute,
             .source_column = seeder_.source_attribute,
             .is_2d = context_.project.is_2d(),
+            .has_axes = context_.project.analysis.model == RockModel::rigid_body && !context_.project.is_2d(),
             .are_cut = ending_of(table_.file) == ".shp"};
   }
 

@@ -14,6 +14,7 @@
 #include "talus/project/check_ground.hpp"
 #include "talus/project/check_materials.hpp"
 #include "talus/project/check_seeder.hpp"
+#include "talus/project/check_shapes.hpp"
 #include "talus/project/check_terrain.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/settings.hpp"
@@ -64,6 +65,7 @@ class Rules {
           .check();
     }
     check_areas();
+    check_shapes();
     check_seeders();
     check_chance();
     check_barriers();
@@ -196,6 +198,22 @@ class Rules {
     std::vector<std::string_view> names;
     for (const Area& area : project_.areas) names.push_back(area.name);
     check_unique("areas", rows("area"), names);
+  }
+
+  void check_shapes() {
+    std::vector<std::string_view> names;
+    for (const Shape& shape : project_.shapes) names.push_back(shape.name);
+    check_unique("shapes", rows("shape"), names);
+    ShapeRules{
+        project_,
+        rows("shape"),
+        rows("seeder"),
+        is_2d(document_.root()) == true,
+        [&](const toml::table* of, std::string_view key) { return accepted(of, key); },
+        [&](const Spot& at, std::string where, std::string what, std::string why, std::string hint, Severity severity) {
+          report(at, std::move(where), std::move(what), std::move(why), std::move(hint), severity);
+        }}
+        .check();
   }
 
   void check_seeders() {

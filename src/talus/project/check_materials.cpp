@@ -39,6 +39,7 @@ void MaterialRules::check() const {
     check_forest(project.materials[i], *rows[i], where);
     if (project.analysis.roughness == RoughnessLaw::faces) check_faces(project.materials[i], *rows[i], where);
     if (project.analysis.model == RockModel::rigid_sphere) check_sphere(project.materials[i], *rows[i], where);
+    if (project.analysis.model == RockModel::rigid_body) check_body(project.materials[i], *rows[i], where);
   }
   check_roughness();
 }
@@ -92,6 +93,20 @@ void MaterialRules::check_sphere(const Material& material, const toml::table& ro
            "Give the tangent of the slope on which such rocks keep rolling (docs/laws.md, values of spheres)",
            Severity::warning);
   }
+}
+
+/// Beyond these, restitution of eccentric contacts with friction can create energy: Rn^2 G_nn (G^-1)_nn, with G the
+/// inverse mass of the contact, exceeds 1 for some blocks in some postures.
+void MaterialRules::check_body(const Material& material, const toml::table& row, const std::string& where) const {
+  constexpr double max_restitution = 0.67, low_friction = 0.2;
+  const double rn = material.normal_restitution.mean;
+  if (!(rn > max_restitution) || !(material.dynamic_friction.mean > low_friction)) return;
+  const toml::node* given = row.get("normal_restitution");
+  report(given ? Spot(given) : Spot(&row, &row, "normal_restitution"), where,
+         fmt::format("normal_restitution is {}", number_text(rn)),
+         fmt::format("above {:g} an impact of a block with friction could create energy, and then has less restitution",
+                     max_restitution),
+         "Give what was observed of blocks: 0.2 to 0.5 on most ground (docs/shapes.md)", Severity::warning);
 }
 
 void MaterialRules::check_roughness() const {

@@ -26,6 +26,7 @@ struct MaterialRules {
  private:
   void check_forest(const Material& material, const toml::table& row, const std::string& where) const;
   void check_sphere(const Material& material, const toml::table& row, const std::string& where) const;
+  void check_body(const Material& material, const toml::table& row, const std::string& where) const;
   void check_faces(const Material& material, const toml::table& row, const std::string& where) const;
   void check_roughness() const;
 };

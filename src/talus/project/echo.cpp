@@ -50,6 +50,9 @@ struct Writer {
   }
   Written operator()(std::optional<Distribution>* value) const { return *value ? (*this)(&**value) : std::nullopt; }
   Written operator()(const std::vector<double>* value) const { return *value; }  // an empty list has a meaning
+  Written operator()(const std::optional<std::vector<double>>* value) const {
+    return *value ? Written(**value) : Written();
+  }
   Written operator()(const std::map<std::string, std::string>* value) const {
     return value->empty() ? Written() : Written(Json(*value));
   }

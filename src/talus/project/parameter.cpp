@@ -227,7 +227,8 @@ std::optional<SettingNumber> SettingNumber::find(const Project& project, std::st
                     "Give it a distribution there");
     }
   }
-  if (const auto model = only_model(*found.setting_); model && *model != project.analysis.model) {
+  if (const auto models = models_of(*found.setting_);
+      !models.empty() && std::ranges::find(models, word(project.analysis.model)) == models.end()) {
     Problem problem = about;
     problem.severity = Severity::warning;
     problem.what = fmt::format("{}has no effect", which);

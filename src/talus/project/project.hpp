@@ -16,6 +16,7 @@
 #include "talus/ground/forest.hpp"
 #include "talus/maps/map_subjects.hpp"
 #include "talus/project/seeder.hpp"
+#include "talus/project/shape.hpp"
 #include "talus/project/terrain.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/sampling/draws.hpp"
@@ -50,9 +51,7 @@ struct Analysis {
   bool rolling_resistance_in_impacts = true;  // rigid sphere only
 
   /// Whether `roughness_amplitude_m` of materials has an effect.
-  [[nodiscard]] bool has_heights_of_roughness() const {
-    return model == RockModel::rigid_sphere || roughness == RoughnessLaw::faces;
-  }
+  [[nodiscard]] bool has_heights_of_roughness() const { return has_extent(model) || roughness == RoughnessLaw::faces; }
   /// The defaults with these laws.
   [[nodiscard]] static Analysis of_laws(LawSet laws) {
     Analysis analysis;
@@ -254,6 +253,7 @@ struct Project {
   std::vector<Material> materials;
   Ground ground;
   std::vector<Area> areas;
+  std::vector<Shape> shapes;
   std::vector<Seeder> seeders;
   std::vector<Barrier> barriers;  // collectors too
   std::vector<Kit> kits;
@@ -265,6 +265,8 @@ struct Project {
 
   [[nodiscard]] bool is_2d() const { return !terrain.section.vertices.empty() && !terrain.section.width_m; }
   [[nodiscard]] std::uint64_t rocks() const;
+  /// The shape of this name, of [[shape]] or built in; null for the sphere and for unknown names.
+  [[nodiscard]] const Shape* shape_named(std::string_view shape) const;
   /// The index of the material of this name, if any.
   [[nodiscard]] std::optional<std::uint32_t> number_of_material(std::string_view material) const {
     for (std::uint32_t number = 0; number < materials.size(); ++number) {

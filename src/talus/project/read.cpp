@@ -22,6 +22,7 @@ namespace {
 
 void note_line(Row row, int line) {
   if (auto* area = row.if_is<Area>()) area->line = line;
+  if (auto* shape = row.if_is<Shape>()) shape->line = line;
   if (auto* seeder = row.if_is<Seeder>()) seeder->line = line;
   if (auto* barrier = row.if_is<Barrier>()) barrier->source_line = line;
 }

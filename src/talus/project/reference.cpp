@@ -38,6 +38,7 @@ struct Named {
   std::string operator()(const std::vector<std::string>*) const { return "list of texts"; }
   std::string operator()(const std::vector<std::int64_t>*) const { return "list of whole numbers"; }
   std::string operator()(const std::vector<double>*) const { return "list of numbers"; }
+  std::string operator()(const std::optional<std::vector<double>>*) const { return "list of numbers"; }
   std::string operator()(const std::map<std::int32_t, std::string>*) const { return "table of texts by whole numbers"; }
   std::string operator()(const std::optional<std::int64_t>*) const { return "whole number"; }
   std::string operator()(const std::map<std::string, std::string>*) const { return "table of texts by texts"; }

@@ -67,6 +67,7 @@ struct Typed {
   Json operator()(const std::vector<std::string>*) const { return list_of(text(), 1); }
   Json operator()(const std::vector<std::int64_t>*) const { return list_of(whole(), 1); }
   Json operator()(const std::vector<double>*) const { return list_of(number(), 0); }
+  Json operator()(const std::optional<std::vector<double>>*) const { return list_of(number(), 0); }
   Json operator()(const std::map<std::int32_t, std::string>*) const {
     return {{"type", "object"},
             {"propertyNames", {{"pattern", "^-?[0-9]+$"}}},

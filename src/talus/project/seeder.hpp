@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "talus/project/shape.hpp"
 #include "talus/sampling/distribution.hpp"
 #include "talus/seeding/release_cells.hpp"
 #include "talus/seeding/seeder.hpp"
@@ -94,6 +95,8 @@ struct Seeder {
   std::optional<Distribution> speed_m_s;                      // along the full `direction`, instead of the two above
   Distribution rotational_velocity_deg_s = constant(0);       // positive: rolling forwards, about up x direction
   std::optional<std::array<double, 3>> direction{{1, 0, 0}};  // nullopt: downslope
+  std::string shape{sphere_word};                             // of a rigid body
+  std::optional<std::vector<double>> orientation_deg;         // of release: three turns, in 2D one; nullopt: random
   int line = 0;                                               // in the project file, for later messages
 
   /// What the releases are made from. Valid as long as the seeder.

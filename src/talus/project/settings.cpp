@@ -43,21 +43,23 @@ std::string Range::text() const {
   return fmt::format("more than {}, {} {}", from, most_excluded ? "less than" : "up to", to);
 }
 
-std::optional<RockModel> only_model(const Setting& setting) {
+std::span<const std::string_view> models_of(const Setting& setting) {
   for (const Need& need : setting.applies_when) {
     const auto& [key, kind, values] = need.any_of.front();
-    if (need.any_of.size() != 1 || kind != Condition::Kind::one_of || values.size() != 1) continue;
-    if (key != "analysis.model") continue;
-    return value_of<RockModel>(values.front());
+    if (need.any_of.size() == 1 && kind == Condition::Kind::one_of && key == "analysis.model") return values;
   }
-  return std::nullopt;
+  return {};
 }
 
 std::string meaning_of(const Setting& setting) {
-  const auto model = only_model(setting);
-  if (!model) return std::string(setting.meaning);
-  const bool is_sphere = *model == RockModel::rigid_sphere;
-  return fmt::format("{}: {}", is_sphere ? "Rigid sphere" : "Lumped mass", setting.meaning);
+  const auto models = models_of(setting);
+  if (models.empty()) return std::string(setting.meaning);
+  const bool is_of_points = models.front() == word(RockModel::lumped_mass);
+  const char* const lead = is_of_points                                      ? "Lumped mass"
+                           : models.size() > 1                               ? "Rigid sphere and body"
+                           : models.front() == word(RockModel::rigid_sphere) ? "Rigid sphere"
+                                                                             : "Rigid body";
+  return fmt::format("{}: {}", lead, setting.meaning);
 }
 
 bool is_random_property(const Slot& slot) {
@@ -100,10 +102,10 @@ std::string Table::heading() const { return fmt::format(fmt::runtime(repeated ? 
 
 const std::vector<Table>& tables() {
   using namespace declared;
-  static const std::vector<Table> list{head_table(),     analysis_table(),  sampling_table(), terrain_table(),
-                                       material_table(), ground_table(),    area_table(),     seeder_table(),
-                                       barrier_table(),  collector_table(), kit_table(),      design_table(),
-                                       output_table(),   report_table(),    layer_table()};
+  static const std::vector<Table> list{head_table(),     analysis_table(), sampling_table(),  terrain_table(),
+                                       material_table(), ground_table(),   area_table(),      shape_table(),
+                                       seeder_table(),   barrier_table(),  collector_table(), kit_table(),
+                                       design_table(),   output_table(),   report_table(),    layer_table()};
   return list;
 }
 

@@ -92,15 +92,15 @@ template <class Enumerations>
 struct SlotWith;
 template <class... Listed>
 struct SlotWith<const std::tuple<Listed...>> {
-  using Type = std::variant<bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*,
-                            std::uint64_t*, std::string*, std::filesystem::path*, std::array<double, 3>*, Distribution*,
-                            std::optional<Distribution>*, std::vector<std::array<double, 2>>*,
-                            std::vector<std::array<double, 3>>*, std::vector<std::array<std::int64_t, 3>>*,
-                            std::vector<std::vector<std::array<double, 3>>>*, std::vector<std::string>*,
-                            std::vector<std::int64_t>*, std::vector<double>*, std::map<std::int32_t, std::string>*,
-                            std::map<std::string, std::string>*, MapSubjects*, typename Listed::Enumeration*...,
-                            PositionSlot, PointsSlot, PlanLineSlot, PlanPointSlot, PlanPolygonSlot, SizeSlot,
-                            LibrarySlot, LawsSlot, DirectionSlot, LimitSlot, MapCellSlot, SectionSlot, FilesSlot>;
+  using Type = std::variant<
+      bool*, double*, std::optional<double>*, std::int64_t*, std::optional<std::int64_t>*, std::uint64_t*, std::string*,
+      std::filesystem::path*, std::array<double, 3>*, Distribution*, std::optional<Distribution>*,
+      std::vector<std::array<double, 2>>*, std::vector<std::array<double, 3>>*,
+      std::vector<std::array<std::int64_t, 3>>*, std::vector<std::vector<std::array<double, 3>>>*,
+      std::vector<std::string>*, std::vector<std::int64_t>*, std::vector<double>*, std::optional<std::vector<double>>*,
+      std::map<std::int32_t, std::string>*, std::map<std::string, std::string>*, MapSubjects*,
+      typename Listed::Enumeration*..., PositionSlot, PointsSlot, PlanLineSlot, PlanPointSlot, PlanPolygonSlot,
+      SizeSlot, LibrarySlot, LawsSlot, DirectionSlot, LimitSlot, MapCellSlot, SectionSlot, FilesSlot>;
 };
 
 /// The member that a setting fills, in one row of its table; of enumerations those of words.hpp.
@@ -183,10 +183,10 @@ struct Setting {
   std::function<std::optional<Doubt>(double)> doubt{};  // for a number inside the range
 };
 
-/// The rock model that the setting is limited to, if any.
-[[nodiscard]] std::optional<RockModel> only_model(const Setting& setting);
+/// The words of the rock models that the setting is limited to; empty: of all.
+[[nodiscard]] std::span<const std::string_view> models_of(const Setting& setting);
 
-/// Its meaning, preceded by the model it is limited to: "Rigid sphere: height of the bumps of rough ground."
+/// Its meaning, preceded by the models it is limited to: "Rigid sphere and body: ..."
 [[nodiscard]] std::string meaning_of(const Setting& setting);
 
 /// Alternative ways to specify the same thing, each a list of keys. Keys of different ways exclude each other.

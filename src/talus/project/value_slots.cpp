@@ -8,6 +8,13 @@
 
 namespace talus::project {
 
+bool ValueReader::into(const Value& value, std::optional<std::vector<double>>* member) {
+  std::vector<double> numbers;
+  if (!into(value, &numbers)) return false;
+  *member = std::move(numbers);
+  return true;
+}
+
 bool ValueReader::into(const Value& value, MapCellSlot slot) {
   const auto* text = value.node.as_string();
   if (text != nullptr && text->get() == "terrain") {

@@ -84,6 +84,7 @@ class ValueReader {
   bool into(const Value&, LawsSlot);
   bool into(const Value&, DirectionSlot);
   bool into(const Value&, LimitSlot);
+  bool into(const Value&, std::optional<std::vector<double>>*);
   bool into(const Value&, MapCellSlot);
   bool into(const Value&, SectionSlot);
   bool into(const Value&, FilesSlot);

@@ -32,7 +32,7 @@ template <class Enumeration, class... Text>
 /// this list.
 inline constexpr std::tuple enumerations{
     worded<LawSet>("talus", "rocfall"),
-    worded<RockModel>("lumped_mass", "rigid_sphere"),
+    worded<RockModel>("lumped_mass", "rigid_sphere", "rigid_body"),
     worded<SlidingMethod>("stepped", "closed_form"),
     worded<FrictionSource>("material", "tangential_restitution", "zero"),
     worded<RoughnessLaw>("faces", "tilts"),
@@ -41,6 +41,9 @@ inline constexpr std::tuple enumerations{
     worded<UpAxis>("z", "y"),
     worded<SeederType>("point", "line", "polygon", "raster", "table"),
     worded<PlaceInCell>("random", "centre"),
+    worded<ShapeStyle>("rounded", "angular", "box"),
+    worded<Solid>("none", "tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron", "icosphere_32",
+                  "icosphere_80"),
     worded<Forest>("none", "open", "medium", "dense"),
     worded<DistributionKind>("none", "normal", "uniform", "triangular", "beta", "exponential", "lognormal", "gamma",
                              "empirical"),

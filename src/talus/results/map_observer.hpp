@@ -23,7 +23,7 @@ template <class Surface>
 [[nodiscard]] MaxHeights max_height_over(const Surface& surface, RockModel model) {
   return [&surface, model](const Rock& rock, const PathPiece& piece, std::span<const double> borders,
                            std::span<double> heights) {
-    max_heights(surface, piece, model == RockModel::rigid_sphere, borders, heights);
+    max_heights(surface, piece, has_extent(model), borders, heights);
     for (double& height : heights) height = lowest_point(height, reach_of(model, rock));
   };
 }

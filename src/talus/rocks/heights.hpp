@@ -1,7 +1,7 @@
 #pragma once
-// The datum of all heights, one for both models. A block is the equivalent sphere (rock.hpp); its lowest point and its
+// The datum of all heights, one for all models. A block is the equivalent sphere (rock.hpp); its lowest point and its
 // top are a diameter apart. The place of a rigid sphere is its centre. That of a lumped mass is where its block touches
-// the ground, and so its lowest point.
+// the ground, and so its lowest point. That of a rigid body is its centre of mass.
 //
 // - Bounce height: of the lowest point above the ground straight below it.
 // - Height at a line, and what a fence must have: of the top above the foot, along the face.
@@ -14,12 +14,14 @@
 
 namespace talus {
 
-enum class RockModel { lumped_mass, rigid_sphere };
+/// `rigid_body`: rocks have the shapes of their seeders, spheres among them.
+enum class RockModel { lumped_mass, rigid_sphere, rigid_body };
+
+/// Whether rocks are more than points.
+[[nodiscard]] constexpr bool has_extent(RockModel model) { return model != RockModel::lumped_mass; }
 
 /// From a rock's place down to the lowest point of its block [m].
-[[nodiscard]] inline double reach_of(RockModel model, const Rock& rock) {
-  return model == RockModel::rigid_sphere ? rock.radius : 0;
-}
+[[nodiscard]] inline double reach_of(RockModel model, const Rock& rock) { return has_extent(model) ? rock.radius : 0; }
 
 /// The height of the lowest point [m], from that of the rock's place above the same ground, which it cannot be below.
 [[nodiscard]] inline double lowest_point(double height, double reach) { return std::max(height - reach, 0.0); }

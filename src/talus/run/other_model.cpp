@@ -35,7 +35,7 @@ bool is_default(const Distribution& given, const Distribution& usual) {
 bool knows_friction(const Project& project, RockModel model) {
   const Material usual;
   return std::ranges::none_of(project.materials, [&](const Material& material) {
-    if (model == RockModel::rigid_sphere) return is_default(material.rolling_friction, usual.rolling_friction);
+    if (has_extent(model)) return is_default(material.rolling_friction, usual.rolling_friction);
     return project.analysis.friction_angle == FrictionSource::material &&
            is_default(material.friction_angle_deg, usual.friction_angle_deg);
   });

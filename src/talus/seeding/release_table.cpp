@@ -15,7 +15,8 @@ namespace {
 constexpr std::array number_members{&ReleaseRow::above_surface, &ReleaseRow::mass,  &ReleaseRow::volume,
                                     &ReleaseRow::density,       &ReleaseRow::speed, &ReleaseRow::horizontal,
                                     &ReleaseRow::vertical,      &ReleaseRow::spin};
-constexpr std::array vector_members{&ReleaseRow::velocity, &ReleaseRow::spin_vector, &ReleaseRow::direction};
+constexpr std::array vector_members{&ReleaseRow::velocity, &ReleaseRow::spin_vector, &ReleaseRow::direction,
+                                    &ReleaseRow::axes};
 
 /// Appends the value of row `count`; a column begins with the first value that is given.
 template <class Value>

@@ -27,6 +27,7 @@ struct ReleaseRow {
   Vec3 velocity = Vec3::all(none);            // [m/s]; instead of speed, horizontal and vertical
   Vec3 spin_vector = Vec3::all(none);         // [rad/s]; instead of spin
   Vec3 direction = Vec3::all(none);           // unit
+  Vec3 axes = Vec3::all(none);                // of the block, descending [m]; only their ratios count
 };
 
 /// The rows, with a column for everything that at least one of them gives.
@@ -56,6 +57,8 @@ class ReleaseTable {
   /// Names of rows, by their numbers in the file; empty if the table has none.
   std::vector<std::string> names;
 
+  /// Whether a row gives the axes of its block.
+  [[nodiscard]] bool has_axes() const { return !vectors_given_.back().empty(); }
   [[nodiscard]] std::size_t bytes() const;
 
   /// Calls visit(values) with each list of numbers, for checksums.
@@ -72,7 +75,7 @@ class ReleaseTable {
   std::vector<Run> sources_;
   // In the order of the members of ReleaseRow; empty if no row gives any.
   std::array<std::vector<double>, 8> numbers_given_;
-  std::array<std::vector<Vec3>, 3> vectors_given_;
+  std::array<std::vector<Vec3>, 4> vectors_given_;
 };
 
 }  // namespace talus

@@ -152,4 +152,10 @@ Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& directio
   return release;
 }
 
+void give_shape(Release& release, const Seeder& seeder, const Draws& draws, const ReleaseRow& given, RockShape& own) {
+  const std::optional<Vec3> axes = ReleaseRow::has(given.axes) ? std::optional(given.axes) : std::nullopt;
+  release.shape = seeder.shapes->draw(draws, axes, own);
+  if (release.shape != nullptr) release.orientation = seeder.turn.draw(draws, *release.shape);
+}
+
 }  // namespace talus

@@ -16,6 +16,7 @@
 #include "talus/seeding/release_lines.hpp"
 #include "talus/seeding/release_order.hpp"
 #include "talus/seeding/release_table.hpp"
+#include "talus/seeding/rock_shapes.hpp"
 
 namespace talus {
 
@@ -44,6 +45,8 @@ struct Seeder {
   std::optional<Sampler> speed;  // [m/s]
   Sampler horizontal, vertical;  // [m/s]
   Sampler spin;                  // about up x direction [rad/s]: positive rolls forwards
+  Shared<RockShapes> shapes = RockShapes{};
+  ReleaseTurn turn;  // of rocks with a shape
 };
 
 /// Where one rock is released, before it is moved to fit (lift.hpp).
@@ -76,5 +79,9 @@ struct SourceRun {
 /// of a table gives replaces what the seeder would.
 [[nodiscard]] Release release_at(const Seeder& seeder, const Vec3& place, const Vec3& direction, const Draws& draws,
                                  const ReleaseRow& given = {});
+
+/// Gives the rock its shape and turns it. `own`: the place for a shape that only this rock has; it must live as long as
+/// the release is used.
+void give_shape(Release& release, const Seeder& seeder, const Draws& draws, const ReleaseRow& given, RockShape& own);
 
 }  // namespace talus

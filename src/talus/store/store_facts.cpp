@@ -21,7 +21,7 @@ std::vector<std::string> read_names(ByteReader& in) {
 StoreFacts StoreFacts::of(const Model& model) {
   StoreFacts facts;
   facts.is_section = std::holds_alternative<Profile>(*model.surface);
-  facts.is_sphere = model.laws.model == RockModel::rigid_sphere;
+  facts.is_sphere = has_extent(model.laws.model);
   facts.origin = model.frame.origin + Vec3{};  // without negative zeros
   facts.gravity = model.laws.gravity;
   facts.energy_datum = model.energy_datum;

@@ -86,7 +86,7 @@ class MovingRock : public RockState {
   RecentCrossings crossed;
   ClearWay clear;
 
-  [[nodiscard]] bool is_sphere() const { return laws.model == RockModel::rigid_sphere; }
+  [[nodiscard]] bool is_sphere() const { return has_extent(laws.model); }
   [[nodiscard]] double kinetic_energy() const { return talus::kinetic_energy(rock, motion); }
   /// Whether it is caught, and slower than a rock that may stop.
   [[nodiscard]] bool is_wedged() const {

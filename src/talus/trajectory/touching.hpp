@@ -41,13 +41,22 @@ template <class Surface>
   return step;
 }
 
-/// Whether friction holds the body where it is, without a motion.
+/// Whether friction and the resistance to rolling hold the body where it is: if gravity pulls it for a step, no contact
+/// that carries it slips, and its turn about them is stopped.
 template <class Surface>
 [[nodiscard]] bool is_held(const MovingRock<Surface>& rock, const BodyInertia& inertia, const ContactSet& contacts,
                            const GroundFriction& friction) {
   const Vec3 pull = rock.laws.timestep * rock.laws.gravity;
-  const auto after = rigid_body_impact(pull, Vec3{}, inertia, contacts, {}, friction.sphere.dynamic);
-  const double moved = after.rebound.velocity.norm() + after.rebound.spin.norm() * rock.body->reach;
+  const auto pulled = rigid_body_impact(pull, Vec3{}, inertia, contacts, {}, friction.sphere.dynamic);
+  const auto& [velocity, spin] = pulled.rebound;
+  const double push = push_of(pulled, contacts);
+  if (!(push > 0)) return false;
+  const Vec3 turn = resisted_spin(spin, contacts[0].normal, inertia, friction.sphere.rolling * rock.rock.radius * push);
+  double moved = turn.norm() * rock.body->reach;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (pulled.impulses[i] == Vec3{}) continue;
+    moved = std::max(moved, (velocity + spin.cross(contacts[i].arm)).norm());
+  }
   return moved <= tolerance::held_share * pull.norm();
 }
 

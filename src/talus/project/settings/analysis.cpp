@@ -33,8 +33,8 @@ Table analysis_table() {
                .title = "Rock model",
                .group = "Motion",
                .topic = topics::laws,
-               .meaning = "A rock is a point with mass and spin (`lumped_mass`, the law of CRSP) or a sphere with a "
-                          "radius (`rigid_sphere`).",
+               .meaning = "A rock is a point with mass and spin (`lumped_mass`, the law of CRSP), a sphere with a "
+                          "radius (`rigid_sphere`), or a block with the shape of its seeder (`rigid_body`).",
                .source = "the manual, sections 2 and 7"},
               {.key = "rotation",
                .slot = member(&Analysis::rotation),
@@ -172,17 +172,17 @@ Table analysis_table() {
                .source = "RocFall"},
               {.key = "tangential_crsp_damping",
                .slot = member(&Analysis::tangential_crsp_damping),
-               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::kept)},
+               .applies_when = {of_rigid_rocks(Otherwise::kept)},
                .title = "Tangential CRSP damping",
                .group = "Restitution",
-               .meaning = "the tangential velocity after an impact is damped as in CRSP.",
+               .meaning = "the tangential velocity of a sphere after an impact is damped as in CRSP.",
                .source = "RocFall3, where it is an option; false in its tables"},
               {.key = "rolling_resistance_in_impacts",
                .slot = member(&Analysis::rolling_resistance_in_impacts),
-               .applies_when = {of_model(RockModel::rigid_sphere, Otherwise::kept)},
+               .applies_when = {of_rigid_rocks(Otherwise::kept)},
                .title = "Rolling resistance in impacts",
                .group = "Restitution",
-               .meaning = "rolling friction also acts on the impulse of an impact, so that a sphere that bounces along "
+               .meaning = "rolling friction also acts on the impulse of an impact, so that a rock that bounces along "
                           "the ground loses as much as one that rolls there.",
                .source = "Talus; false in RocFall2 and RocFall3"},
           },

@@ -19,6 +19,12 @@ inline Need of_model(RockModel model, Otherwise otherwise) {
   return {.any_of = {is("analysis.model", {word(model)})}, .otherwise = otherwise};
 }
 
+/// For properties of rocks that are more than points.
+inline Need of_rigid_rocks(Otherwise otherwise) {
+  return {.any_of = {is("analysis.model", {word(RockModel::rigid_sphere), word(RockModel::rigid_body)})},
+          .otherwise = otherwise};
+}
+
 /// For settings that need 3D: anything but a section without a width.
 inline Need in_3d(Otherwise otherwise, std::string_view what, std::string_view why, std::string_view hint = {}) {
   return {.any_of = {absent("terrain.section"), given("terrain.width_m")},

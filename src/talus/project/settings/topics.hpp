@@ -24,6 +24,7 @@ constexpr Topic vector_files{"gis.md", "Vector files"};
 constexpr Topic cells{"gis.md", "Seeders on cells"};
 constexpr Topic release_table{"gis.md", "A table of releases"};
 constexpr Topic layers{"gis.md", "Reference layers"};
+constexpr Topic shapes{"shapes.md", "Shapes of rocks"};
 constexpr Topic seeders{"project-file.md", "`[[seeder]]`"};
 constexpr Topic sampling{"project-file.md", "`[sampling]`"};
 constexpr Topic output{"project-file.md", "`[output]`"};
