@@ -8,22 +8,6 @@ namespace talus {
 
 namespace {
 
-/// Carlson's R_C(x, y), x >= 0, y > 0.
-double carlson_c(double x, double y) {
-  double a0 = (x + 2 * y) / 3, a = a0, q = std::abs(a0 - x) * 500, shrink = 1;
-  const double y0 = y;
-  while (shrink * q > std::abs(a)) {
-    const double lambda = 2 * std::sqrt(x) * std::sqrt(y) + y;
-    x = (x + lambda) / 4;
-    y = (y + lambda) / 4;
-    a = (a + lambda) / 4;
-    shrink /= 4;
-  }
-  const double s = (y0 - a0) * shrink / a;
-  return (1 + s * s * (3.0 / 10 + s * (1.0 / 7 + s * (3.0 / 8 + s * (9.0 / 22 + s * (159.0 / 208 + s * 9.0 / 8)))))) /
-         std::sqrt(a);
-}
-
 /// Carlson's R_F(x, y, z); at most one of them 0.
 double carlson_f(double x, double y, double z) {
   const double a0 = (x + y + z) / 3;
@@ -43,73 +27,119 @@ double carlson_f(double x, double y, double z) {
   return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44) / std::sqrt(a);
 }
 
-/// Carlson's R_J(x, y, z, p), p > 0; at most one of x, y, z 0.
-double carlson_j(double x, double y, double z, double p) {
-  const double a0 = (x + y + z + 2 * p) / 5, delta = (p - x) * (p - y) * (p - z);
-  const double q = 500 * std::max({std::abs(a0 - x), std::abs(a0 - y), std::abs(a0 - z), std::abs(a0 - p)});
-  const double x0 = x, y0 = y, z0 = z;
-  double a = a0, shrink = 1, sum = 0, e_scale = 1;
-  while (shrink * q > std::abs(a)) {
-    const double sx = std::sqrt(x), sy = std::sqrt(y), sz = std::sqrt(z), sp = std::sqrt(p);
-    const double lambda = sx * sy + sx * sz + sy * sz, d = (sp + sx) * (sp + sy) * (sp + sz);
-    const double e = e_scale * delta / (d * d);
-    sum += shrink / d * carlson_c(1, 1 + e);
-    x = (x + lambda) / 4;
-    y = (y + lambda) / 4;
-    z = (z + lambda) / 4;
-    p = (p + lambda) / 4;
-    a = (a + lambda) / 4;
-    shrink /= 4;
-    e_scale /= 64;
+/// The arithmetic-geometric mean of 1 and `b`.
+double mean_with_one(double b) {
+  double a = 1;
+  while (a - b > 1e-8 * a) {
+    const double next = 0.5 * (a + b);
+    b = std::sqrt(a * b);
+    a = next;
   }
-  const double u = (a0 - x0) * shrink / a, v = (a0 - y0) * shrink / a, w = (a0 - z0) * shrink / a;
-  const double s = (-u - v - w) / 2;
-  const double e2 = u * v + u * w + v * w - 3 * s * s, e3 = u * v * w + 2 * e2 * s + 4 * s * s * s;
-  const double e4 = (2 * u * v * w + e2 * s + 3 * s * s * s) * s, e5 = u * v * w * s * s;
-  const double series = 1 - 3 * e2 / 14 + e3 / 6 + 9 * e2 * e2 / 88 - 3 * e4 / 22 - 9 * e2 * e3 / 52 + 3 * e5 / 26;
-  return shrink * series / (a * std::sqrt(a)) + 6 * sum;
-}
-
-/// Of an integral over the angle that is odd and has the period pi: `within(sine, cosine)` from 0 to an angle of at
-/// most a quarter turn.
-template <class Within>
-double unrolled(double angle, Within&& within) {
-  const double half_turns = std::round(angle / std::numbers::pi);
-  const double rest = angle - half_turns * std::numbers::pi;
-  const double part = within(std::sin(rest), std::cos(rest));
-  return half_turns == 0 ? part : part + 2 * half_turns * within(1, 0);
+  return 0.5 * (a + b);
 }
 
 }  // namespace
 
-JacobiSeries::JacobiSeries(double m1) : m1_(m1) {
-  double a = 1, b = std::sqrt(m1), c = std::sqrt(1 - m1);
-  while (c > 1e-17 * a && terms_ < max_terms) {
-    const double next = 0.5 * (a + b);
-    c = 0.5 * (a - b);
-    b = std::sqrt(a * b);
-    a = next;
-    ratio_[terms_++] = c / a;
+double elliptic_f(double sine, double cosine, double m1) {
+  const double c2 = cosine * cosine;
+  return sine * carlson_f(c2, c2 + m1 * sine * sine, 1);
+}
+
+ThetaSeries::ThetaSeries(double m, double m1) {
+  constexpr double small = 1e-9;  // of m: the nome's series after two terms is exact
+  const double mean = mean_with_one(std::sqrt(m1));
+  rate_ = mean;
+  if (m < small) {
+    nome_ = m / 16 * (1 + 0.5 * m);
+    half_height_ = -0.5 * std::log(nome_);
+  } else {
+    half_height_ = 0.5 * std::numbers::pi * mean / mean_with_one(std::sqrt(m));
+    nome_ = std::exp(-2 * half_height_);
   }
-  scale_ = std::ldexp(a, terms_);
+  // Powers of the nome until no term counts any more, and the functions of z = 0.
+  const double root = std::sqrt(nome_);
+  double even = 1, odd = 1, power = 1, bound = 1;  // power: q^(2 n)
+  double theta2 = 0, theta3 = 1, theta4 = 1, sign = 1;
+  for (terms_ = 0; terms_ < max_terms && bound > 1e-18; ++terms_) {
+    const auto n = static_cast<std::size_t>(terms_);
+    even_[n] = even;
+    odd_[n] = odd;
+    theta2 += odd;
+    if (terms_ > 0) {
+      theta3 += 2 * even;
+      theta4 += 2 * sign * even;
+    }
+    sign = -sign;
+    even *= power * nome_;
+    bound *= power * root;
+    power *= nome_ * nome_;
+    odd *= power;
+  }
+  sn_ = theta3 / theta2;
+  cn_ = theta4 / theta2;
+  dn_ = theta4 / theta3;
 }
 
-JacobiFunctions JacobiSeries::at(double u) const {
-  double am = scale_ * u;
-  for (int n = terms_ - 1; n >= 0; --n) am = 0.5 * (am + std::asin(ratio_[n] * std::sin(am)));
-  const double sn = std::sin(am), cn = std::cos(am);
-  return {am, sn, cn, std::sqrt(cn * cn + m1_ * sn * sn)};
+void ThetaSeries::take_theta4(double y) {
+  is_odd_ = false;
+  const double grow = std::exp(2 * y), shrink = 1 / grow;
+  double up = 1, down = 1, sign = 1;
+  for (std::size_t n = 0; n < static_cast<std::size_t>(terms_); ++n) {
+    const double factor = n == 0 ? 0.5 : sign * even_[n];
+    re_[n] = factor * (up + down);
+    im_[n] = -factor * (up - down);
+    up *= grow;
+    down *= shrink;
+    sign = -sign;
+  }
 }
 
-double elliptic_f(double am, double m1) {
-  return unrolled(am, [&](double s, double c) { return s * carlson_f(c * c, c * c + m1 * s * s, 1); });
+void ThetaSeries::take_theta1(double y) {
+  is_odd_ = true;
+  // Over exp(y), which may be large.
+  const double shrink = std::exp(-2 * y), grow = 1 / shrink;
+  double up = 1, down = shrink, sign = 1;
+  for (std::size_t n = 0; n < static_cast<std::size_t>(terms_); ++n) {
+    re_[n] = sign * odd_[n] * (up + down);
+    im_[n] = -sign * odd_[n] * (up - down);
+    up *= grow;
+    down *= shrink;
+    sign = -sign;
+  }
 }
 
-double elliptic_pi(double n, double am, double m1) {
-  return unrolled(am, [&](double s, double c) {
-    const double delta = c * c + m1 * s * s;
-    return s * carlson_f(c * c, delta, 1) + n / 3 * s * s * s * carlson_j(c * c, delta, 1, 1 - n * s * s);
-  });
+ThetaSeries::Values ThetaSeries::at(double z) const {
+  const double c1 = std::cos(z), s1 = std::sin(z), c2 = c1 * c1 - s1 * s1, s2 = 2 * s1 * c1;
+  double sn = 0, cn = 0, dn = 0, re = 0, im = 0, sign = 1;
+  double odd_c = c1, odd_s = s1, even_c = 1, even_s = 0;  // of (2 n + 1) z and 2 n z
+  for (std::size_t n = 0; n < static_cast<std::size_t>(terms_); ++n) {
+    sn += sign * odd_[n] * odd_s;
+    cn += odd_[n] * odd_c;
+    dn += (n == 0 ? 1 : 2) * even_[n] * even_c;
+    re += re_[n] * (is_odd_ ? odd_s : even_c);
+    im += im_[n] * (is_odd_ ? odd_c : even_s);
+    const double next_odd = odd_c * c2 - odd_s * s2, next_even = even_c * c2 - even_s * s2;
+    odd_s = odd_c * s2 + odd_s * c2;
+    even_s = even_c * s2 + even_s * c2;
+    odd_c = next_odd;
+    even_c = next_even;
+    sign = -sign;
+  }
+  return {sn_ * sn, cn_ * cn, dn_ * dn, re, im};
+}
+
+double ThetaSeries::zeta(double y) const {
+  const double grow = std::exp(2 * y), shrink = 1 / grow;
+  double theta = 1, slope = 0, up = 1, down = 1, sign = 1;
+  for (int n = 1; n < terms_; ++n) {
+    up *= grow;
+    down *= shrink;
+    sign = -sign;
+    const double factor = sign * even_[static_cast<std::size_t>(n)];
+    theta += factor * (up + down);
+    slope -= 2 * n * factor * (up - down);
+  }
+  return rate_ * slope / theta;
 }
 
 }  // namespace talus

@@ -21,7 +21,7 @@ struct BodyFlight {
 
   /// `s`: the parameter of the path.
   [[nodiscard]] Posture at(double s) const {
-    return {path.at(s), rotation.at(begun + drag.time(s)).orientation.matrix()};
+    return {path.at(s), rotation.turned_at(begun + drag.time(s)).matrix};
   }
 };
 
@@ -105,9 +105,7 @@ template <class Surface>
   const Body& body = *rock.body;
   const FreeRotation rotation = rotation_of(body, phase);
   const BodyFlight flight{body, path, drag, rotation, rock.motion.time - phase.since};
-  const double momentum = body.inertia.times(phase.orientation.to_body(phase.spin)).norm();
-  const double least_inertia = std::min({body.inertia[0], body.inertia[1], body.inertia[2]});
-  const auto down = first_touchdown(rock.surface, flight, momentum / least_inertia, t_max);
+  const auto down = first_touchdown(rock.surface, flight, rotation.max_spin(), t_max);
   if (!down) return {t_max, {}, {}};
   const Posture before = flight.at(down->before);
   Touched touched = struck_between(rock.surface, body, before, flight.at(down->after), tolerance::one_touch);
