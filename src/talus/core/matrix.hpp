@@ -39,6 +39,11 @@ struct Mat3 {
     const Vec3 p = column(0), q = column(1), r = column(2), qr = q.cross(r);
     return Vec3{b.dot(qr), p.dot(b.cross(r)), p.dot(q.cross(b))} / p.dot(qr);
   }
+  /// The determinant must not be 0.
+  [[nodiscard]] constexpr Mat3 inverse() const {
+    const Vec3 p = column(0), q = column(1), r = column(2), qr = q.cross(r);
+    return (1 / p.dot(qr)) * Mat3{{qr, r.cross(p), p.cross(q)}};
+  }
 };
 
 /// a b^T.

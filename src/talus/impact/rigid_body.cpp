@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "talus/core/tolerances.hpp"
 
@@ -34,18 +35,21 @@ class ContactFrame {
       return in_frame(direction / body.mass + turning.cross(contact.arm));
     };
     response_ = Mat3::of_columns(column(contact.normal), column(t_.a), column(t_.b));
+    resistance_ = response_.inverse();
   }
 
   [[nodiscard]] Vec3 in_frame(const Vec3& v) const { return {v.dot(contact_.normal), v.dot(t_.a), v.dot(t_.b)}; }
   [[nodiscard]] Vec3 in_terrain(const Vec3& v) const { return v[0] * contact_.normal + v[1] * t_.a + v[2] * t_.b; }
   /// The change of velocity by an impulse, as a matrix.
   [[nodiscard]] const Mat3& response() const { return response_; }
+  /// The impulse for a change of velocity.
+  [[nodiscard]] const Mat3& resistance() const { return resistance_; }
   [[nodiscard]] const Vec3& arm() const { return contact_.arm; }
 
  private:
   ContactPoint contact_;
   Tangent t_;
-  Mat3 response_;
+  Mat3 response_, resistance_;
 };
 
 /// A slipping contact: `wanted` is the change of velocity with which it would stick. With the unit direction d of slip,
@@ -78,8 +82,7 @@ class Slip {
       const Vec2 slope = friction_ * coupling_.dot(across) * wanted_ - friction_ * wanted_normal_ * times(across);
       const double change = cross(slope, d) + cross(s, across);
       if (change == 0) return std::nullopt;
-      const double turn = std::clamp(-off / change, -largest_turn, largest_turn);
-      d = (std::cos(turn) * d + std::sin(turn) * across).normalized();
+      d = (d + std::clamp(-off / change, -largest_turn, largest_turn) * across).normalized();
     }
     return std::nullopt;
   }
@@ -95,7 +98,7 @@ class Slip {
 
  private:
   static constexpr int max_steps = 30;
-  static constexpr double largest_turn = 0.5;  // [rad]
+  static constexpr double largest_turn = 0.5;  // tangent
 
   [[nodiscard]] Vec2 times(const Vec2& d) const { return {first_.dot(d), second_.dot(d)}; }
   [[nodiscard]] double denominator(const Vec2& d) const { return normal_ - friction_ * coupling_.dot(d); }
@@ -110,14 +113,16 @@ class Slip {
 };
 
 /// The impulse that changes the contact's velocity by `wanted`, as far as friction can; zero if that is no push.
-Vec3 impulse_for(const ContactFrame& frame, const Vec3& wanted, double friction) {
+/// `near`: one to which it may be near.
+Vec3 impulse_for(const ContactFrame& frame, const Vec3& wanted, double friction, const Vec3& near) {
   if (wanted.x() <= 0) return {};
   const Mat3& response = frame.response();
-  const Vec3 sticking = response.solve(wanted);
+  const Vec3 sticking = frame.resistance() * wanted;
   const Vec2 holding(sticking.y(), sticking.z());
   const double most = friction * sticking.x();
   if (sticking.x() >= 0 && holding.squared_norm() <= most * most) return sticking;
   const Slip slip(response, wanted, friction);
+  if (const auto found = slip.impulse_near({-near.y(), -near.z()})) return *found;
   if (const auto found = slip.impulse_near(-holding)) return *found;
   if (const auto found = slip.impulse_near({-wanted.y(), -wanted.z()})) return *found;
   if (const auto found = slip.impulse_anywhere()) return *found;
@@ -145,13 +150,14 @@ class Impulses {
   }
 
   [[nodiscard]] RigidBodyImpact with(Restitution restitution) const {
+    constexpr double most_kept = 0.98;  // of a change by the next
     RigidBodyImpact result;
     Struck struck = before_;
-    std::array<Vec3, ContactSet::most> impulses;  // in the frames of the contacts
+    std::array<Vec3, ContactSet::most> impulses, changes;  // in the frames of the contacts; changes: of the last round
     result.has_settled = size_ == 1;
     const int sweeps = size_ == 1 ? 1 : tolerance::max_sweeps;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-      double changed = 0, total = 0;
+      double changed = 0, total = 0, squared_before = 0, product = 0;
       for (std::size_t i = 0; i < size_; ++i) {
         const ContactFrame& frame = *frames_[i];
         const Vec3& u = approach_[i];
@@ -159,17 +165,28 @@ class Impulses {
                           restitution.tangential * u.z());
         const Vec3 now = frame.in_frame(struck.velocity_at(frame.arm()));
         const Vec3 without = now - frame.response() * impulses[i];
-        Vec3 impulse = impulse_for(frame, target - without, friction_);
+        Vec3 impulse = impulse_for(frame, target - without, friction_, impulses[i]);
         // Contacts that drive each other from stick to slip and back settle by half steps.
         if (sweep >= tolerance::sweeps_in_full) impulse = 0.5 * (impulse + impulses[i]);
-        struck.add(frame.in_terrain(impulse - impulses[i]), frame.arm(), body_);
-        changed += (impulse - impulses[i]).norm();
+        const Vec3 change = impulse - impulses[i], before = std::exchange(changes[i], change);
+        struck.add(frame.in_terrain(change), frame.arm(), body_);
+        changed += change.norm();
         total += impulse.norm();
+        squared_before += before.squared_norm();
+        product += before.dot(change);
         impulses[i] = impulse;
       }
       if (changed <= tolerance::settled_impulse * total) {
         result.has_settled = true;
         break;
+      }
+      // Changes that shrink by the same share each round, summed at once (A. Aitken's method).
+      const bool is_extrapolated = sweep % 3 == 2 && sweep < tolerance::sweeps_in_full;
+      if (!is_extrapolated || !(product > 0 && product < most_kept * squared_before)) continue;
+      const double share = product / (squared_before - product);
+      for (std::size_t i = 0; i < size_; ++i) {
+        impulses[i] += share * changes[i];
+        struck.add(frames_[i]->in_terrain(share * changes[i]), frames_[i]->arm(), body_);
       }
     }
     for (std::size_t i = 0; i < size_; ++i) result.impulses[i] = frames_[i]->in_terrain(impulses[i]);
