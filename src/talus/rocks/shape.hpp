@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "talus/core/matrix.hpp"
 #include "talus/core/orientation.hpp"
 #include "talus/core/vec.hpp"
 #include "talus/rocks/rock.hpp"
@@ -23,6 +24,17 @@ struct RockShape {
   Orientation as_given;                                 // from the body's frame to that in which it was given
 };
 
+/// The corners of a body in one place.
+struct Posture {
+  std::span<const Vec3> corners;  // of the shape
+  Mat3 turned;                    // from the shape's frame to that of the terrain, scaled
+  Vec3 centre;                    // [m]
+  double reach = 0;               // from there to the farthest corner [m]
+
+  [[nodiscard]] Vec3 arm(std::size_t i) const { return turned * corners[i]; }
+  [[nodiscard]] Vec3 place(std::size_t i) const { return centre + arm(i); }
+};
+
 /// A rock of a shape, as its equations need it.
 struct Body {
   std::span<const Vec3> corners;  // of the shape
@@ -31,7 +43,10 @@ struct Body {
   Vec3 inertia;                   // principal moments [kg m2]
   double reach = 0;               // [m]
 
-  [[nodiscard]] Vec3 corner(std::size_t i) const { return scale * corners[i]; }
+  /// `turned`: from the body's frame to that of the terrain.
+  [[nodiscard]] Posture at(const Vec3& centre, const Mat3& turned) const {
+    return {corners, scale * turned, centre, reach};
+  }
 };
 
 /// The rock's radius is that of the sphere of the same volume. `shape` must live as long as the body.

@@ -331,6 +331,22 @@ std::optional<double> RasterSurface::elevation(double x, double y, double below)
   return highest;
 }
 
+auto RasterSurface::plane_over(std::size_t south_west, std::size_t across, std::size_t along) const -> Plane {
+  const float* south = grid_.z.data() + south_west;
+  const float* const north = south + along * (columns_ + 1);
+  const double sw = south[0], se = south[across], nw = north[0], ne = north[across];
+  Plane plane{-infinite, 0.5 * (se - sw + ne - nw) / static_cast<double>(across),
+              0.5 * (nw - sw + ne - se) / static_cast<double>(along)};
+  double rise = 0;
+  for (std::size_t row = 0; row <= along; ++row, south += columns_ + 1, rise += plane.along_v) {
+    double there = rise;
+    for (std::size_t column = 0; column <= across; ++column, there += plane.along_u) {
+      plane.z = std::max(plane.z, south[column] - there);
+    }
+  }
+  return plane;
+}
+
 std::optional<GroundBelow> RasterSurface::ground_below(const Vec3& place) const {
   const double x = (place.x() - grid_.x0) / grid_.dx, y = (place.y() - grid_.y0) / grid_.dy;
   if (!(x >= 0 && y >= 0 && x <= static_cast<double>(columns_) && y <= static_cast<double>(rows_))) return std::nullopt;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "talus/rocks/shape.hpp"
 #include "talus/terrain/facet_contact.hpp"
 #include "talus/terrain/flight_slabs.hpp"
 #include "talus/terrain/grid_walk.hpp"
@@ -69,6 +70,11 @@ class RasterSurface {
     return elevation(place.x(), place.y(), place.z()).has_value();
   }
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
+  /// Calls visit(corner, height) with the height [m] of each corner of a body over the ground straight below it,
+  /// negative in the ground, infinite off the terrain. Corners that are higher than `bound` may be left out. `visit`
+  /// returns the bound from there on.
+  template <class Visit>
+  void visit_low_corners(const Posture& body, double bound, Visit&& visit) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
   [[nodiscard]] Vec3 normal(FacetId facet) const { return area_normal(triangle(facet)).normalized(); }
@@ -106,11 +112,19 @@ class RasterSurface {
       }
       return u + v <= 1 ? sw + u * (se - sw) + v * (nw - sw) : ne + (1 - u) * (nw - ne) + (1 - v) * (se - ne);
     }
+    /// The same but for rounding, for u and v in [0, 1], without a branch.
+    [[nodiscard]] double ground_within(double u, double v) const {
+      const double bent = is_cut_north_east ? std::min(u, v) : std::max(u + v - 1, 0.0);
+      return sw + u * (se - sw) + v * (nw - sw) + (sw + ne - (se + nw)) * bent;
+    }
   };
   struct Cells {  // columns and rows from (first) to (last), both included; empty where first > last
     std::int64_t first_column, last_column, first_row, last_row;
   };
 
+  /// The plane over so many cells, from a south-west node on, that has their mean slope and touches the highest of
+  /// their nodes.
+  [[nodiscard]] Plane plane_over(std::size_t south_west, std::size_t across, std::size_t along) const;
   [[nodiscard]] Cell cell(std::size_t column, std::size_t row) const { return cell_at(node(column, row)); }
   /// The number of a cell's south-west node, and the cell with that node.
   [[nodiscard]] std::size_t node(std::size_t column, std::size_t row) const { return row * (columns_ + 1) + column; }
@@ -194,6 +208,53 @@ void RasterSurface::visit_cells(const Cells& cells, Visit&& visit) const {
       const auto both = triangles(column, row, here);
       for (std::uint32_t half = 0; half < 2; ++half) visit(FacetId{facet_of(column, row, half)}, both[half]);
     }
+  }
+}
+
+// The ground below a body lies under a plane of its mean slope. Most corners are so high above this plane that the
+// ground below them need not be known.
+template <class Visit>
+void RasterSurface::visit_low_corners(const Posture& body, double bound, Visit&& visit) const {
+  const double u0 = (body.centre.x() - grid_.x0) / grid_.dx, v0 = (body.centre.y() - grid_.y0) / grid_.dy;
+  const double u_reach = body.reach / grid_.dx + box_pad, v_reach = body.reach / grid_.dy + box_pad;
+  const bool is_inside = !has_holes_ && u0 > u_reach && v0 > v_reach && u0 + u_reach < static_cast<double>(columns_) &&
+                         v0 + v_reach < static_cast<double>(rows_);
+  if (!is_inside) {
+    for (std::size_t i = 0; i < body.corners.size(); ++i) {
+      const Vec3 place = body.place(i);
+      const auto ground = elevation(place.x(), place.y());
+      bound = visit(i, ground ? place.z() - *ground : std::numeric_limits<double>::infinity());
+    }
+    return;
+  }
+  const auto west = static_cast<std::size_t>(u0 - u_reach), south = static_cast<std::size_t>(v0 - v_reach);
+  const auto across = static_cast<std::size_t>(u0 + u_reach) - west + 1,
+             along = static_cast<std::size_t>(v0 + v_reach) - south + 1;
+  const double du = u0 - static_cast<double>(west), dv = v0 - static_cast<double>(south);
+  const Plane over = plane_over(node(west, south), across, along);
+  // Of the corners: on plan from the south-west node, in cells; height over that plane.
+  const Vec3 along_u = body.turned.rows[0] / grid_.dx, along_v = body.turned.rows[1] / grid_.dy;
+  const Vec3 upwards = body.turned.rows[2] - over.along_u * along_u - over.along_v * along_v;
+  const double middle = body.centre.z() - over.z - over.along_u * du - over.along_v * dv;
+  const auto look_at = [&](std::size_t i) {
+    const Vec3& corner = body.corners[i];
+    const double u = du + along_u.dot(corner), v = dv + along_v.dot(corner);
+    const auto column = static_cast<std::int64_t>(u), row = static_cast<std::int64_t>(v);
+    const Cell here = cell(west + static_cast<std::size_t>(column), south + static_cast<std::size_t>(row));
+    const double ground = here.ground_within(u - static_cast<double>(column), v - static_cast<double>(row));
+    bound = visit(i, body.centre.z() + body.turned.rows[2].dot(corner) - ground);
+  };
+  std::size_t lowest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < body.corners.size(); ++i) {
+    const double height = upwards.dot(body.corners[i]);
+    lowest = height < least ? i : lowest;
+    least = std::min(least, height);
+  }
+  if (middle + least > bound) return;
+  look_at(lowest);
+  for (std::size_t i = 0; i < body.corners.size(); ++i) {
+    if (middle + upwards.dot(body.corners[i]) <= bound && i != lowest) look_at(i);
   }
 }
 

@@ -8,7 +8,6 @@
 #include <limits>
 #include <optional>
 
-#include "talus/core/orientation.hpp"
 #include "talus/impact/contact_set.hpp"
 #include "talus/rocks/shape.hpp"
 #include "talus/terrain/surface.hpp"
@@ -27,20 +26,31 @@ template <class Surface>
   return std::numeric_limits<double>::infinity();
 }
 
-/// A body in one place.
-struct Posture {
-  Vec3 centre;
-  Mat3 turned;  // from the body's frame to that of the terrain
+/// Calls visit(corner, clearance) for each corner of a body that may be no higher than a bound; it returns the bound
+/// from there on.
+template <class Surface, class Visit>
+void visit_low_corners(const Surface& surface, const Posture& body, double bound, Visit&& visit) {
+  if constexpr (requires { surface.visit_low_corners(body, bound, visit); }) {
+    surface.visit_low_corners(body, bound, visit);
+  } else {
+    for (std::size_t i = 0; i < body.corners.size(); ++i) visit(i, clearance(surface, body.place(i)));
+  }
+}
 
-  [[nodiscard]] Vec3 place(const Body& body, std::size_t corner) const { return centre + turned * body.corner(corner); }
+/// The corner of a body that has the least clearance [m].
+struct LowestCorner {
+  std::size_t corner = 0;
+  double gap = std::numeric_limits<double>::infinity();
 };
 
-/// The least clearance of a body's corners [m].
 template <class Surface>
-[[nodiscard]] double clearance(const Surface& surface, const Body& body, const Posture& at) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < body.corners.size(); ++i) least = std::min(least, clearance(surface, at.place(body, i)));
-  return least;
+[[nodiscard]] LowestCorner lowest_corner(const Surface& surface, const Posture& body) {
+  LowestCorner lowest;
+  visit_low_corners(surface, body, lowest.gap, [&](std::size_t corner, double gap) {
+    if (gap < lowest.gap) lowest = {corner, gap};
+    return lowest.gap;
+  });
+  return lowest;
 }
 
 /// The contacts of a body, the first 64 of them. Of more than a set holds, those that hold the body as all of them do:
@@ -80,41 +90,56 @@ class Touched {
   std::size_t size_ = 0;
 };
 
+/// The clearance of what is so far from the ground, at most: no facet is steeper.
+[[nodiscard]] inline double vertically(double distance) { return 1e3 * distance; }
+
+/// Where a corner with this clearance touches the ground within `tolerance` [m], or has sunk into it.
+template <class Surface>
+[[nodiscard]] std::optional<ContactPoint> touch_of(const Surface& surface, const Posture& body, std::size_t corner,
+                                                   double gap, double tolerance) {
+  if (!(gap <= vertically(tolerance))) return std::nullopt;
+  const Vec3 arm = body.arm(corner), place = body.centre + arm;
+  const auto below = surface.ground_below({place.xy(), place.z() - std::min(gap, 0.0) + contact_slack});
+  if (!below) return std::nullopt;
+  const Vec3 normal = surface.normal(below->facet);
+  if (gap > tolerance && gap * normal.z() > tolerance) return std::nullopt;
+  return ContactPoint{arm, normal, below->facet, static_cast<std::uint32_t>(corner)};
+}
+
 /// Where corners within `tolerance` [m] of the ground touch it, or have sunk into it.
 template <class Surface>
-[[nodiscard]] Touched touched_by(const Surface& surface, const Body& body, const Posture& at, double tolerance) {
+[[nodiscard]] Touched touched_by(const Surface& surface, const Posture& body, double tolerance) {
   Touched touched;
-  for (std::size_t i = 0; i < body.corners.size(); ++i) {
-    const Vec3 place = at.place(body, i);
-    const double gap = clearance(surface, place);
-    if (!(gap <= 1e3 * tolerance)) continue;  // no facet is so steep
-    const auto below = surface.ground_below({place.xy(), place.z() - std::min(gap, 0.0) + contact_slack});
-    if (!below) continue;
-    const Vec3 normal = surface.normal(below->facet);
-    if (gap > tolerance && gap * normal.z() > tolerance) continue;
-    touched.add({place - at.centre, normal, below->facet, static_cast<std::uint32_t>(i)});
-  }
+  visit_low_corners(surface, body, vertically(tolerance), [&](std::size_t corner, double gap) {
+    if (const auto touch = touch_of(surface, body, corner, gap, tolerance)) touched.add(*touch);
+    return vertically(tolerance);
+  });
   return touched;
 }
 
-/// Where corners that are in the ground `at` have come through its surface on the way `from` there.
+/// Where corners that are in the ground `at` have come through its surface on the way `from` there, and then where
+/// others touch it.
 template <class Surface>
-[[nodiscard]] Touched struck_between(const Surface& surface, const Body& body, const Posture& from, const Posture& at,
-                                     double tolerance) {
+[[nodiscard]] Touched struck_between(const Surface& surface, const Posture& from, const Posture& at, double tolerance) {
   Touched touched;
-  for (std::size_t i = 0; i < body.corners.size(); ++i) {
-    const Vec3 start = from.place(body, i), way = at.place(body, i) - start;
-    if (clearance(surface, start + way) > 0) continue;
-    const auto contact = surface.first_contact({start, way, Vec3{}}, 0, 1, {});
-    if (contact) touched.add({start - from.centre, contact->normal, contact->facet, static_cast<std::uint32_t>(i)});
-  }
+  visit_low_corners(surface, at, 0, [&](std::size_t corner, double gap) {
+    if (gap > 0) return 0.0;
+    const Vec3 arm = from.arm(corner), start = from.centre + arm;
+    if (const auto near = touch_of(surface, from, corner, clearance(surface, start), tolerance)) {
+      touched.add(*near);
+    } else if (const auto met = surface.first_contact({start, at.place(corner) - start, Vec3{}}, 0, 1, {})) {
+      touched.add({arm, met->normal, met->facet, static_cast<std::uint32_t>(corner)});
+    }
+    return 0.0;
+  });
   const ContactSet struck = touched.contacts();
-  const Touched others = touched_by(surface, body, from, tolerance);
-  for (const ContactPoint& near : others.contacts()) {
-    const bool is_known = std::any_of(struck.begin(), struck.end(),
-                                      [&](const ContactPoint& known) { return known.corner == near.corner; });
-    if (!is_known) touched.add(near);
-  }
+  visit_low_corners(surface, from, vertically(tolerance), [&](std::size_t corner, double gap) {
+    const bool is_known =
+        std::any_of(struck.begin(), struck.end(), [&](const ContactPoint& known) { return known.corner == corner; });
+    if (is_known) return vertically(tolerance);
+    if (const auto near = touch_of(surface, from, corner, gap, tolerance)) touched.add(*near);
+    return vertically(tolerance);
+  });
   return touched;
 }
 

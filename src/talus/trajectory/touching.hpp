@@ -116,8 +116,8 @@ struct HalfStep {
 template <class Surface>
 [[nodiscard]] HalfStep half_step(const MovingRock<Surface>& rock, const Touching& phase, double dt) {
   const Orientation halfway = Orientation::of_turn(0.5 * dt * phase.spin) * phase.orientation;
-  const Posture middle{rock.motion.position + 0.5 * dt * rock.motion.velocity, halfway.matrix()};
-  return {halfway, touched_by(rock.surface, *rock.body, middle, tolerance::one_touch).contacts()};
+  const Posture middle = rock.body->at(rock.motion.position + 0.5 * dt * rock.motion.velocity, halfway.matrix());
+  return {halfway, touched_by(rock.surface, middle, tolerance::one_touch).contacts()};
 }
 
 /// Corners that come down faster than the cutoff.
@@ -129,14 +129,14 @@ struct Strikes {
 template <class Surface>
 [[nodiscard]] Strikes strikes_in(const MovingRock<Surface>& rock, const Touching& phase, const ContactSet& contacts) {
   Strikes strikes;
-  const Posture start{rock.motion.position, phase.orientation.matrix()};
+  const Posture start = rock.body->at(rock.motion.position, phase.orientation.matrix());
   for (const ContactPoint& contact : contacts) {
     ContactPoint at_start = contact;
-    const Vec3 place = start.place(*rock.body, contact.corner);
-    at_start.arm = place - start.centre;
+    at_start.arm = start.arm(contact.corner);
     const double approach = -(rock.motion.velocity + phase.spin.cross(at_start.arm)).dot(contact.normal);
     if (approach <= rock.leaving_speed) continue;
-    const double until = std::max(0.0, clearance(rock.surface, place) * contact.normal.z() / approach);
+    const double until =
+        std::max(0.0, clearance(rock.surface, start.centre + at_start.arm) * contact.normal.z() / approach);
     strikes.until = strikes.contacts.size() == 0 ? until : std::min(strikes.until, until);
     strikes.contacts.add(at_start);
   }
@@ -216,7 +216,7 @@ template <class Surface, class Sink>
 
   phase.apart = is_pushed ? 0 : phase.apart + dt;
   if (phase.apart > tolerance::apart_in_flight &&
-      clearance(rock.surface, body, {motion.position, end.matrix()}) > tolerance::clear_in_flight) {
+      lowest_corner(rock.surface, body.at(motion.position, end.matrix())).gap > tolerance::clear_in_flight) {
     return NextPhase{take_off(rock, phase)};
   }
   const bool is_slow =

@@ -21,7 +21,7 @@ struct BodyFlight {
 
   /// `s`: the parameter of the path.
   [[nodiscard]] Posture at(double s) const {
-    return {path.at(s), rotation.turned_at(begun + drag.time(s)).matrix};
+    return body.at(path.at(s), rotation.turned_at(begun + drag.time(s)).matrix);
   }
 };
 
@@ -47,7 +47,7 @@ template <class Surface>
     // The false position where the clearance is continuous, the middle where it is not.
     double s = before + (after - before) * above / (above - below);
     if (i % 3 == 2 || !(s > before && s < after)) s = 0.5 * (before + after);
-    const double gap = clearance(surface, flight.body, flight.at(s)) - sunk;
+    const double gap = lowest_corner(surface, flight.at(s)).gap - sunk;
     if (gap > 0) {
       before = s;
       above = gap;
@@ -64,7 +64,7 @@ template <class Surface>
                                                        double s_max) {
   constexpr int steps_near_ground = 4;  // before the sphere is asked for again
   const double reach = flight.body.reach;
-  double s = 0, above = clearance(surface, flight.body, flight.at(0));
+  double s = 0, above = lowest_corner(surface, flight.at(0)).gap;
   // A corner may have sunk in by rounding: the flight begins on the ground all the same.
   const double sunk = std::min(0.0, above - tolerance::corner_gap);
   above -= sunk;
@@ -75,7 +75,7 @@ template <class Surface>
         const auto contact = surface.first_contact({centre, velocity, flight.path.a}, reach, s_max - s, {});
         if (!contact) return std::nullopt;
         s += contact->t;
-        above = clearance(surface, flight.body, flight.at(s)) - sunk;
+        above = lowest_corner(surface, flight.at(s)).gap - sunk;
       }
       near = steps_near_ground;
     }
@@ -84,7 +84,7 @@ template <class Surface>
     const double by_way = 2 * way / (velocity.norm() + std::sqrt(velocity.squared_norm() + 2 * fall * way));
     const double step = spin > 0 ? std::min(by_way, tolerance::turn_in_a_step / spin) : by_way;
     const double next = std::min(s_max, s + step);
-    const double gap = clearance(surface, flight.body, flight.at(next)) - sunk;
+    const double gap = lowest_corner(surface, flight.at(next)).gap - sunk;
     if (gap <= 0) return touchdown_between(surface, flight, s, next, above, gap, sunk);
     s = next;
     above = gap;
@@ -108,9 +108,9 @@ template <class Surface>
   const auto down = first_touchdown(rock.surface, flight, rotation.max_spin(), t_max);
   if (!down) return {t_max, {}, {}};
   const Posture before = flight.at(down->before);
-  Touched touched = struck_between(rock.surface, body, before, flight.at(down->after), tolerance::one_touch);
+  Touched touched = struck_between(rock.surface, before, flight.at(down->after), tolerance::one_touch);
   for (double wider = 10 * tolerance::one_touch; touched.is_empty() && wider < body.reach; wider *= 10) {
-    touched = touched_by(rock.surface, body, before, wider);
+    touched = touched_by(rock.surface, before, wider);
   }
   if (touched.is_empty()) return {t_max, {}, {}};
   return {down->before, touched.contacts(), {}};
