@@ -106,12 +106,18 @@ template <class Surface>
   return ContactPoint{arm, normal, below->facet, static_cast<std::uint32_t>(corner)};
 }
 
-/// Where corners within `tolerance` [m] of the ground touch it, or have sunk into it.
+/// Where corners within `tolerance` [m] of the ground touch it, or have sunk into it. `first`: the corner whose contact
+/// comes first.
 template <class Surface>
-[[nodiscard]] Touched touched_by(const Surface& surface, const Posture& body, double tolerance) {
+[[nodiscard]] Touched touched_by(const Surface& surface, const Posture& body, double tolerance,
+                                 std::optional<std::size_t> first = {}) {
   Touched touched;
-  visit_low_corners(surface, body, vertically(tolerance), [&](std::size_t corner, double gap) {
+  const auto look_at = [&](std::size_t corner, double gap) {
     if (const auto touch = touch_of(surface, body, corner, gap, tolerance)) touched.add(*touch);
+  };
+  if (first) look_at(*first, clearance(surface, body.place(*first)));
+  visit_low_corners(surface, body, vertically(tolerance), [&](std::size_t corner, double gap) {
+    if (corner != first) look_at(corner, gap);
     return vertically(tolerance);
   });
   return touched;

@@ -20,14 +20,20 @@ struct BodyFlight {
   double begun;  // how long before the path the rotation began [s]
 
   /// `s`: the parameter of the path.
-  [[nodiscard]] Posture at(double s) const {
-    return body.at(path.at(s), rotation.turned_at(begun + drag.time(s)).matrix);
-  }
+  [[nodiscard]] FreeRotation::Turned turned_at(double s) const { return rotation.turned_at(begun + drag.time(s)); }
+  [[nodiscard]] Posture at(double s) const { return body.at(path.at(s), turned_at(s).matrix); }
 };
 
 /// Just before and just after a corner comes through the surface, in the path's parameter.
 struct Touchdown {
   double before, after;
+  std::optional<std::size_t> corner;  // the one that touches the ground `before`; none if its clearance jumps there
+};
+
+/// The corners of a body that come to the ground, and how it is turned there.
+struct BodyTouch {
+  ContactSet contacts;
+  FreeRotation::Turned turned;
 };
 
 template <class Surface>
@@ -38,25 +44,38 @@ template <class Surface>
   return is_free;
 }
 
-/// Narrows a step of the flight from the open into the ground.
+/// Narrows a step of the flight from the open into the ground, by the false position of N. Anderson and A. Bjorck, "A
+/// new high order method of regula falsi type", BIT 13 (1973): if an end stays twice, its value counts for less.
 template <class Surface>
 [[nodiscard]] Touchdown touchdown_between(const Surface& surface, const BodyFlight& flight, double before, double after,
                                           double above, double below, double sunk) {
   constexpr int max_steps = 60;
-  for (int i = 0; i < max_steps && above > tolerance::corner_gap && after - before > tolerance::corner_time; ++i) {
-    // The false position where the clearance is continuous, the middle where it is not.
-    double s = before + (after - before) * above / (above - below);
-    if (i % 3 == 2 || !(s > before && s < after)) s = 0.5 * (before + after);
-    const double gap = lowest_corner(surface, flight.at(s)).gap - sunk;
+  constexpr double aim = 0.5 * tolerance::corner_gap;
+  double high = above - aim, low = below - aim;
+  enum class End { none, in_the_open, in_the_ground } moved = End::none;
+  for (int i = 0; i < max_steps && after - before > tolerance::corner_time; ++i) {
+    double s = before + (after - before) * high / (high - low);
+    if (i % 8 == 7 || !(s > before && s < after)) s = 0.5 * (before + after);
+    const auto [corner, clearance] = lowest_corner(surface, flight.at(s));
+    const double gap = clearance - sunk, now = gap - aim;
+    const auto lowered = [&](double kept, double replaced) {
+      const double factor = 1 - now / replaced;
+      return kept * (factor > 0 ? factor : 0.5);
+    };
     if (gap > 0) {
+      if (gap <= tolerance::corner_gap) return {s, after, corner};
+      if (moved == End::in_the_open) low = lowered(low, high);
       before = s;
-      above = gap;
+      high = now;
+      moved = End::in_the_open;
     } else {
+      if (moved == End::in_the_ground) high = lowered(high, low);
       after = s;
-      below = gap;
+      low = now;
+      moved = End::in_the_ground;
     }
   }
-  return {before, after};
+  return {before, after, {}};
 }
 
 template <class Surface>
@@ -92,7 +111,7 @@ template <class Surface>
   return std::nullopt;
 }
 
-[[nodiscard]] inline FacetId facet_of(const ContactSet& contacts) { return contacts[0].facet; }
+[[nodiscard]] inline FacetId facet_of(const BodyTouch& touch) { return touch.contacts[0].facet; }
 
 [[nodiscard]] inline FreeRotation rotation_of(const Body& body, const Tumbling& phase) {
   return {body.inertia, phase.orientation, phase.spin};
@@ -100,27 +119,29 @@ template <class Surface>
 
 /// At the first contact of a corner, or at t_max.
 template <class Surface>
-[[nodiscard]] FlightEnd<ContactSet> first_contact(const MovingRock<Surface>& rock, const Tumbling& phase,
-                                                  const Parabola& path, const LinearDrag& drag, double t_max) {
+[[nodiscard]] FlightEnd<BodyTouch> first_contact(const MovingRock<Surface>& rock, const Tumbling& phase,
+                                                 const Parabola& path, const LinearDrag& drag, double t_max) {
   const Body& body = *rock.body;
   const FreeRotation rotation = rotation_of(body, phase);
   const BodyFlight flight{body, path, drag, rotation, rock.motion.time - phase.since};
   const auto down = first_touchdown(rock.surface, flight, rotation.max_spin(), t_max);
   if (!down) return {t_max, {}, {}};
-  const Posture before = flight.at(down->before);
-  Touched touched = struck_between(rock.surface, before, flight.at(down->after), tolerance::one_touch);
+  const FreeRotation::Turned turned = flight.turned_at(down->before);
+  const Posture before = body.at(path.at(down->before), turned.matrix);
+  Touched touched = down->corner ? touched_by(rock.surface, before, tolerance::one_touch, *down->corner)
+                                 : struck_between(rock.surface, before, flight.at(down->after), tolerance::one_touch);
   for (double wider = 10 * tolerance::one_touch; touched.is_empty() && wider < body.reach; wider *= 10) {
     touched = touched_by(rock.surface, before, wider);
   }
   if (touched.is_empty()) return {t_max, {}, {}};
-  return {down->before, touched.contacts(), {}};
+  return {down->before, BodyTouch{touched.contacts(), turned}, {}};
 }
 
 template <class Surface, class Sink>
-[[nodiscard]] Phase come_down(TrackedRock<Surface, Sink>& rock, const Tumbling& phase, const ContactSet& contacts) {
+[[nodiscard]] Phase come_down(TrackedRock<Surface, Sink>& rock, const Tumbling& phase, const BodyTouch& touch) {
   const double flown = rock.motion.time - phase.since;
-  const auto [orientation, spin] = rotation_of(*rock.body, phase).at(flown);
-  return strike_with(rock, orientation, spin, contacts, flown < tolerance::quick_impact ? phase.quick + 1 : 0);
+  return strike_with(rock, Orientation::of_matrix(touch.turned.matrix), touch.turned.spin, touch.contacts,
+                     flown < tolerance::quick_impact ? phase.quick + 1 : 0);
 }
 
 /// The body's spin after a barrier has changed that of the sphere from `before`.
