@@ -78,15 +78,42 @@ template <class Surface>
   return {before, after, {}};
 }
 
+/// The lengths of steps of the search for a touchdown, in the path's parameter. Between two looks no corner should come
+/// into the ground and out again. From the chord of its way it departs by less than a quarter of reach times turn
+/// squared, and ground whose slope changes by 1 or less by less than a quarter of the way. So steps are short, or keep
+/// both below a share of the clearance.
+class SearchSteps {
+ public:
+  explicit SearchSteps(const BodyFlight& flight)
+      : reach_(flight.body.reach), spin_(flight.rotation.max_spin()), fall_(flight.path.a.norm()) {}
+
+  [[nodiscard]] double shortest(double speed) const { return step(speed, 0.25 * reach_, tolerance::turn_in_a_step); }
+  /// In which both are at most half of the clearance `gap`.
+  [[nodiscard]] double within(double gap, double speed) const {
+    return step(speed, std::min(gap, reach_), std::min(std::sqrt(gap / reach_), max_turn));
+  }
+
+ private:
+  static constexpr double max_turn = 0.5;
+  [[nodiscard]] double step(double speed, double way, double turn) const {
+    const double by_way = 2 * way / (speed + std::sqrt(speed * speed + 2 * fall_ * way));
+    return spin_ > 0 ? std::min(by_way, turn / spin_) : by_way;
+  }
+
+  double reach_, spin_, fall_;
+};
+
 template <class Surface>
-[[nodiscard]] std::optional<Touchdown> first_touchdown(const Surface& surface, const BodyFlight& flight, double spin,
-                                                       double s_max) {
+[[nodiscard]] std::optional<Touchdown> first_touchdown(const Surface& surface, const BodyFlight& flight, double s_max) {
   constexpr int steps_near_ground = 4;  // before the sphere is asked for again
+  constexpr double share_kept = 0.25;   // of the clearance, at least, in a step that is not short
   const double reach = flight.body.reach;
+  const SearchSteps steps(flight);
   double s = 0, above = lowest_corner(surface, flight.at(0)).gap;
   // A corner may have sunk in by rounding: the flight begins on the ground all the same.
   const double sunk = std::min(0.0, above - tolerance::corner_gap);
   above -= sunk;
+  double sinking = 0;  // of the gap in the last step [m/s]
   for (int near = 0; s < s_max;) {
     const Vec3 centre = flight.path.at(s), velocity = flight.path.velocity(s);
     if (near == 0) {
@@ -99,12 +126,17 @@ template <class Surface>
       near = steps_near_ground;
     }
     --near;
-    const double way = 0.25 * reach, fall = flight.path.a.norm();
-    const double by_way = 2 * way / (velocity.norm() + std::sqrt(velocity.squared_norm() + 2 * fall * way));
-    const double step = spin > 0 ? std::min(by_way, tolerance::turn_in_a_step / spin) : by_way;
-    const double next = std::min(s_max, s + step);
-    const double gap = lowest_corner(surface, flight.at(next)).gap - sunk;
+    const double speed = velocity.norm(), shortest = steps.shortest(speed);
+    double step = std::max(shortest, steps.within(above, speed));
+    if (sinking > 0) step = std::max(shortest, std::min(step, (1 - 1.2 * share_kept) * above / sinking));
+    double next = std::min(s_max, s + step);
+    double gap = lowest_corner(surface, flight.at(next)).gap - sunk;
+    if (step > shortest && gap < share_kept * above) {
+      next = std::min(s_max, s + std::max(shortest, std::min(0.5 * step, 0.7 * step * above / (above - gap))));
+      gap = lowest_corner(surface, flight.at(next)).gap - sunk;
+    }
     if (gap <= 0) return touchdown_between(surface, flight, s, next, above, gap, sunk);
+    sinking = (above - gap) / (next - s);
     s = next;
     above = gap;
   }
@@ -124,7 +156,7 @@ template <class Surface>
   const Body& body = *rock.body;
   const FreeRotation rotation = rotation_of(body, phase);
   const BodyFlight flight{body, path, drag, rotation, rock.motion.time - phase.since};
-  const auto down = first_touchdown(rock.surface, flight, rotation.max_spin(), t_max);
+  const auto down = first_touchdown(rock.surface, flight, t_max);
   if (!down) return {t_max, {}, {}};
   const FreeRotation::Turned turned = flight.turned_at(down->before);
   const Posture before = body.at(path.at(down->before), turned.matrix);
