@@ -147,6 +147,24 @@ TEST(RigidBody, WithTheArmOfASphereIsTheLawOfTheSphere) {
   }
 }
 
+// Where the contact sticks, the moment acts for the push as it does in the sphere's law.
+TEST(RigidBody, ResistsRollingAsTheLawOfTheSphereDoes) {
+  Dice dice(2);
+  const Rock rock = sphere_of_diameter(1, 2700);
+  const BodyInertia body{rock.mass, Mat3::diagonal(Vec3::all(1 / rock.inertia))};
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 n = dice.direction(), v = dice.in_cube(10), w = dice.in_cube(10);
+    const Restitution restitution{dice.between(0, 1), 0};
+    const double rolling = dice.between(0, 0.5), friction = 1000;
+    const Rebound general =
+        rigid_body_impact(v, w, body, ContactPoint{-rock.radius * n, n}, restitution, friction, rolling * rock.radius)
+            .rebound;
+    const Rebound sphere = rigid_sphere_rebound(v, w, n, rock, restitution, {friction, rolling});
+    expect_near(general.velocity, sphere.velocity, 1e-6);
+    expect_near(general.spin, sphere.spin, 1e-6);
+  }
+}
+
 // On all corners of a face, on an edge or on a corner below its centre, a cube bounces as a point does.
 TEST(RigidBody, ACubeDroppedOnAFaceAnEdgeOrACornerKeepsTheSquareOfRestitution) {
   const double e = 0.3;

@@ -93,12 +93,12 @@ struct Recorder {
 };
 
 struct OnPlane {
-  double slope, friction, restitution = 0;
+  double slope, friction, restitution = 0, rolling = 0;
   Laws with = laws();
 
   Recorder follow(const RockShape& shape, Release release) const {
     const TriangleMesh ground_surface = plane(slope);
-    const Ground ground = ground_of({.rn = restitution, .rt = 0.8, .mu = friction, .rolling = 0});
+    const Ground ground = ground_of({.rn = restitution, .rt = 0.8, .mu = friction, .rolling = rolling});
     release.shape = &shape;
     const Draws draws(SamplingPlan{}, 0);
     Recorder recorder;
@@ -155,6 +155,29 @@ TEST(Bodies, ACubeStaysWhereFrictionHoldsIt) {
   EXPECT_EQ(seen.reason, EndReason::at_rest);
   EXPECT_LT(seen.moments.back().position.norm() - 0.5, 1e-3);
   EXPECT_LT(seen.moments.back().time, 1);
+}
+
+// An octagon on one of its edges, its centre aside of it: its weight turns it with a lever of R sin(lean), and rolling
+// friction resists with a lever of mu_r r. It does not creep.
+TEST(Bodies, RollingFrictionHoldsABlockOnItsEdge) {
+  const RockShape octagon = prism(8, 1, 1);
+  const double volume = 8 * std::sin(std::numbers::pi / 4) / 2, rolling = 0.2;
+  const double held = std::asin(rolling * std::cbrt(3 * volume / (4 * std::numbers::pi)));
+  for (const double share : {0.5, 0.9, 1.1}) {
+    Release release;
+    release.rock = sphere_of_mass(2700 * volume, 2700);
+    release.orientation = Orientation::of_turn({0, std::numbers::pi / 8 + share * held, 0});
+    release.motion.position = {0, 0, std::cos(share * held) + 1e-9};
+    const Recorder seen = OnPlane{0, 1, 0, rolling}.follow(octagon, release);
+    EXPECT_EQ(seen.reason, EndReason::at_rest);
+    const double moved = (seen.moments.back().position - release.motion.position).norm();
+    if (share < 1) {
+      EXPECT_LT(moved, 1e-6) << share;
+      EXPECT_LT(seen.moments.back().time, 1) << share;
+    } else {
+      EXPECT_GT(moved, 0.1) << share;
+    }
+  }
 }
 
 // A brick of 0.5 x 1 m on a slope of 30 degrees turns over its lower edge: tan 30 > 0.5 / 1. Its turn is a pendulum's,

@@ -17,4 +17,10 @@ namespace talus {
 
 using ImpactLaw = std::variant<CrspLaw, PlainImpact, RigidSphereImpact>;
 
+/// Whether rolling friction acts on the impulse of an impact, of a sphere or of a block (rigid_body.hpp).
+[[nodiscard]] inline bool rolling_resists_in_impacts(const ImpactLaw& law) {
+  const auto* const rigid = std::get_if<RigidSphereImpact>(&law);
+  return rigid != nullptr && rigid->has_rolling_resistance;
+}
+
 }  // namespace talus

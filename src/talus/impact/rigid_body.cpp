@@ -139,10 +139,43 @@ struct Struck {
   [[nodiscard]] Vec3 velocity_at(const Vec3& arm) const { return velocity + spin.cross(arm); }
 };
 
+/// The moment that resists rolling over ground of a normal, for as large a push as there is.
+class RollingMoment {
+ public:
+  RollingMoment(const Vec3& n, const BodyInertia& body, double arm) : t_(n), arm_(arm) {
+    if (arm_ == 0) return;
+    const Vec3 a = body.inverse_inertia * t_.a, b = body.inverse_inertia * t_.b;
+    // Of the inverse inertia about both tangents, the inverse.
+    const double aa = a.dot(t_.a), ab = a.dot(t_.b), bb = b.dot(t_.b), det = aa * bb - ab * ab;
+    first_ = Vec2(bb, -ab) / det;
+    second_ = Vec2(-ab, aa) / det;
+  }
+  [[nodiscard]] bool is_none() const { return arm_ == 0; }
+  /// The moment impulse that ends the rolling of a spin to which `moment` has been added, as far as `push` allows.
+  [[nodiscard]] Vec3 ending(const Vec3& spin, const Vec3& moment, double push) const {
+    const Vec2 rate(spin.dot(t_.a), spin.dot(t_.b));
+    Vec2 wanted(moment.dot(t_.a) - first_.dot(rate), moment.dot(t_.b) - second_.dot(rate));
+    const double most = arm_ * push, size = wanted.norm();
+    if (size > most) wanted = most / size * wanted;
+    return wanted.x() * t_.a + wanted.y() * t_.b;
+  }
+
+ private:
+  Tangent t_;
+  double arm_;  // moment over push [m]
+  Vec2 first_, second_;
+};
+
 class Impulses {
  public:
-  Impulses(const Vec3& velocity, const Vec3& spin, const BodyInertia& body, const ContactSet& contacts, double friction)
-      : before_{velocity, spin}, body_(body), friction_(friction), size_(contacts.size()) {
+  /// `rolling_arm`: of the moment that resists rolling [m]; 0: none.
+  Impulses(const Vec3& velocity, const Vec3& spin, const BodyInertia& body, const ContactSet& contacts, double friction,
+           double rolling_arm)
+      : before_{velocity, spin},
+        body_(body),
+        friction_(friction),
+        size_(contacts.size()),
+        rolling_(contacts[0].normal, body, rolling_arm) {
     for (std::size_t i = 0; i < size_; ++i) {
       frames_[i].emplace(contacts[i], body);
       approach_[i] = frames_[i]->in_frame(before_.velocity_at(contacts[i].arm));
@@ -154,8 +187,10 @@ class Impulses {
     RigidBodyImpact result;
     Struck struck = before_;
     std::array<Vec3, ContactSet::most> impulses, changes;  // in the frames of the contacts; changes: of the last round
-    result.has_settled = size_ == 1;
-    const int sweeps = size_ == 1 ? 1 : tolerance::max_sweeps;
+    Vec3 moment, last_moment_change;
+    const bool is_single = size_ == 1 && rolling_.is_none();
+    result.has_settled = is_single;
+    const int sweeps = is_single ? 1 : tolerance::max_sweeps;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
       double changed = 0, total = 0, squared_before = 0, product = 0;
       for (std::size_t i = 0; i < size_; ++i) {
@@ -176,6 +211,21 @@ class Impulses {
         product += before.dot(change);
         impulses[i] = impulse;
       }
+      Vec3 moment_change;
+      if (!rolling_.is_none()) {
+        double push = 0;
+        for (std::size_t i = 0; i < size_; ++i) push += impulses[i].x();
+        const Vec3 next = rolling_.ending(struck.spin, moment, push);
+        moment_change = next - moment;
+        struck.spin += body_.inverse_inertia * moment_change;
+        moment = next;
+        // In the unit of an impulse, at the arm of the first contact.
+        const double arm = frames_[0]->arm().norm();
+        const Vec3 now = moment_change / arm, before = std::exchange(last_moment_change, moment_change) / arm;
+        changed += now.norm();
+        squared_before += before.squared_norm();
+        product += before.dot(now);
+      }
       if (changed <= tolerance::settled_impulse * total) {
         result.has_settled = true;
         break;
@@ -188,7 +238,10 @@ class Impulses {
         impulses[i] += share * changes[i];
         struck.add(frames_[i]->in_terrain(share * changes[i]), frames_[i]->arm(), body_);
       }
+      moment += share * moment_change;
+      struck.spin += share * (body_.inverse_inertia * moment_change);
     }
+    result.moment = moment;
     for (std::size_t i = 0; i < size_; ++i) result.impulses[i] = frames_[i]->in_terrain(impulses[i]);
     result.rebound = {struck.velocity, struck.spin};
     return result;
@@ -201,7 +254,7 @@ class Impulses {
       const Vec3& arm = frames_[i]->arm();
       sum += 0.5 * impact.impulses[i].dot(before_.velocity_at(arm) + after.velocity_at(arm));
     }
-    return sum;
+    return sum + 0.5 * impact.moment.dot(before_.spin + after.spin);
   }
   /// Impulses that have not settled, lowered by a common factor to where they take most energy.
   [[nodiscard]] RigidBodyImpact lowered(RigidBodyImpact impact) const {
@@ -212,12 +265,16 @@ class Impulses {
       taken -= impact.impulses[i].dot(before_.velocity_at(arm));
       returned += impact.impulses[i].dot(after.velocity_at(arm) - before_.velocity_at(arm));
     }
+    taken -= impact.moment.dot(before_.spin);
+    returned += impact.moment.dot(after.spin - before_.spin);
     const double factor = taken > 0 ? std::min(1.0, taken / returned) : 0;
     Struck struck = before_;
     for (std::size_t i = 0; i < size_; ++i) {
       impact.impulses[i] *= factor;
       struck.add(impact.impulses[i], frames_[i]->arm(), body_);
     }
+    impact.moment *= factor;
+    struck.spin += body_.inverse_inertia * impact.moment;
     impact.rebound = {struck.velocity, struck.spin};
     return impact;
   }
@@ -235,6 +292,7 @@ class Impulses {
   const BodyInertia& body_;
   double friction_;
   std::size_t size_;
+  RollingMoment rolling_;
   std::array<std::optional<ContactFrame>, ContactSet::most> frames_;
   std::array<Vec3, ContactSet::most> approach_;  // velocities before, in the frames
 };
@@ -242,8 +300,9 @@ class Impulses {
 }  // namespace
 
 RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const BodyInertia& body,
-                                  const ContactSet& contacts, Restitution restitution, double friction) {
-  const Impulses impulses(velocity, spin, body, contacts, friction);
+                                  const ContactSet& contacts, Restitution restitution, double friction,
+                                  double rolling_arm) {
+  const Impulses impulses(velocity, spin, body, contacts, friction, rolling_arm);
   const auto gains = [&](const RigidBodyImpact& impact) {
     return impulses.work(impact) > tolerance::energy_by_rounding * impulses.turnover(impact);
   };
@@ -261,14 +320,6 @@ RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const 
   if (gains(impact)) impact = impulses.lowered(impact);
   impact.is_limited = true;
   return impact;
-}
-
-Vec3 resisted_spin(const Vec3& spin, const Vec3& n, const BodyInertia& body, double moment) {
-  const Vec3 rolling = tangential(spin, n);
-  const double rate = rolling.norm();
-  if (rate == 0 || moment == 0) return spin;
-  const Vec3 axis = rolling / rate, answer = body.inverse_inertia * axis;
-  return spin - std::min(moment, rate / axis.dot(answer)) * answer;
 }
 
 }  // namespace talus

@@ -7,9 +7,10 @@
 // Impulses P_i are sought with, for each contact,
 //   normal:   Pn >= 0,  un' >= Rn max(-un, 0),  and one of both an equality
 //   tangent:  |Pt| <= mu Pn;  it sticks with ut' = Rt ut, or slips with Pt = -mu Pn d,  d along ut' - Rt ut
-// One contact is solved exactly: it separates, sticks or slips, and the direction d of slip is the root of one
-// equation. Several are solved one after the other in their order, again and again, until nothing changes (block
-// Gauss-Seidel).
+// and with them a moment impulse M along the ground that resists rolling: |M| <= arm * sum of Pn; it ends the spin
+// along the ground, or has that size and is against what would end it. One contact is solved exactly: it separates,
+// sticks or slips, and the direction d of slip is the root of one equation. Several are solved one after the other in
+// their order, again and again, until nothing changes (block Gauss-Seidel).
 //
 // Source: the verification manual, section 7.3, is the law of one contact without friction or with enough of it; that
 // of several is Newton's law in the form of R. Leine et al., "Simulation of rockfall trajectories with consideration of
@@ -34,15 +35,15 @@ struct BodyInertia {
 struct RigidBodyImpact {
   Rebound rebound;
   std::array<Vec3, ContactSet::most> impulses{};  // on the body, in the order of the contacts [N s]
+  Vec3 moment;                                    // that resists rolling, on the body [N m s]
   bool has_settled = false;                       // if not, contacts may still approach the ground, for the next impact
   bool is_limited = false;                        // its restitution was lowered to keep energy from growing
 };
 
-/// `friction`: the coefficient mu of all contacts.
+/// `friction`: the coefficient mu of all contacts. `rolling_arm`: of the moment that resists rolling over the ground of
+/// the first contact, over the push of all [m]; 0: none.
 [[nodiscard]] RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const BodyInertia& body,
-                                                const ContactSet& contacts, Restitution restitution, double friction);
-
-/// The spin after a moment impulse [N m s] that resists rolling over ground of normal `n`, and ends it at most.
-[[nodiscard]] Vec3 resisted_spin(const Vec3& spin, const Vec3& n, const BodyInertia& body, double moment);
+                                                const ContactSet& contacts, Restitution restitution, double friction,
+                                                double rolling_arm = 0);
 
 }  // namespace talus

@@ -43,13 +43,6 @@ namespace talus {
   return most;
 }
 
-/// The impulses along the normals, in all [N s].
-[[nodiscard]] inline double push_of(const RigidBodyImpact& impact, const ContactSet& contacts) {
-  double push = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) push += impact.impulses[i].dot(contacts[i].normal);
-  return push;
-}
-
 [[nodiscard]] inline PathState state_on(const ContactSet& contacts, const Motion& motion, const Vec3& spin) {
   const ContactPoint& c = contacts[0];
   const Vec3 slip = tangential(motion.velocity + spin.cross(c.arm), c.normal);
@@ -79,16 +72,15 @@ template <class Surface, class Sink>
   const Restitution restitution{rock.laws.restitution_scaling.scaled(rn, approach, body.mass), 0};
   const double friction = draw.dynamic_friction(material);
   const BodyInertia inertia = inertia_of(body, orientation);
-  RigidBodyImpact impact = rigid_body_impact(motion.velocity, spin, inertia, struck, restitution, friction);
-  double push = push_of(impact, struck);
+  const double rolling_arm =
+      rolling_resists_in_impacts(rock.laws.impact) ? draw.rolling_friction(material) * rock.rock.radius : 0;
+  Rebound rebound =
+      rigid_body_impact(motion.velocity, spin, inertia, struck, restitution, friction, rolling_arm).rebound;
   if (face) {  // the rebound must not lead into the ground itself
-    const auto [velocity, then] = impact.rebound;
-    impact = rigid_body_impact(velocity, then, inertia, contacts, {}, friction);
-    push += push_of(impact, contacts);
+    rebound = rigid_body_impact(rebound.velocity, rebound.spin, inertia, contacts, {}, friction, rolling_arm).rebound;
   }
-  const Vec3 leaving = resisted_spin(impact.rebound.spin, first.normal, inertia,
-                                     draw.rolling_friction(material) * rock.rock.radius * push);
-  motion.velocity = impact.rebound.velocity;
+  const Vec3& leaving = rebound.spin;
+  motion.velocity = rebound.velocity;
   motion.spin = spin_of_sphere(rock.rock, body, orientation, leaving);
   rock.note_impact({before, motion, first.normal, face.value_or(first.normal), rock.surface.source(first.facet),
                     rock.material_at(first.facet)});

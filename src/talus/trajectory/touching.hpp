@@ -41,23 +41,22 @@ template <class Surface>
   return step;
 }
 
-/// Whether friction and the resistance to rolling hold the body where it is: if gravity pulls it for a step, no contact
-/// that carries it slips, and its turn about them is stopped.
+/// The impulses that keep contacts from moving further towards the ground.
+template <class Surface>
+[[nodiscard]] RigidBodyImpact held_by(const MovingRock<Surface>& rock, const ContactSet& contacts,
+                                      const GroundFriction& friction, const BodyInertia& inertia, const Vec3& velocity,
+                                      const Vec3& spin) {
+  return rigid_body_impact(velocity, spin, inertia, contacts, {}, friction.sphere.dynamic,
+                           friction.sphere.rolling * rock.rock.radius);
+}
+
+/// Whether friction and the resistance to rolling hold the body where it is, without a motion.
 template <class Surface>
 [[nodiscard]] bool is_held(const MovingRock<Surface>& rock, const BodyInertia& inertia, const ContactSet& contacts,
                            const GroundFriction& friction) {
   const Vec3 pull = rock.laws.timestep * rock.laws.gravity;
-  const auto pulled = rigid_body_impact(pull, Vec3{}, inertia, contacts, {}, friction.sphere.dynamic);
-  const auto& [velocity, spin] = pulled.rebound;
-  const double push = push_of(pulled, contacts);
-  if (!(push > 0)) return false;
-  const Vec3 turn = resisted_spin(spin, contacts[0].normal, inertia, friction.sphere.rolling * rock.rock.radius * push);
-  double moved = turn.norm() * rock.body->reach;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (pulled.impulses[i] == Vec3{}) continue;
-    moved = std::max(moved, (velocity + spin.cross(contacts[i].arm)).norm());
-  }
-  return moved <= tolerance::held_share * pull.norm();
+  const auto [velocity, spin] = held_by(rock, contacts, friction, inertia, pull, Vec3{}).rebound;
+  return velocity.norm() + spin.norm() * rock.body->reach <= tolerance::held_share * pull.norm();
 }
 
 /// How a body whose centre is no longer over the terrain leaves the model.
@@ -180,12 +179,11 @@ template <class Surface, class Sink>
       phase.ground = rock.material_at(facet);
       phase.friction = friction_at(rock, facet);
     }
-    const ContactFriction& friction = phase.friction.sphere;
-    const auto impact = rigid_body_impact(velocity, spin, inertia, contacts, {}, friction.dynamic);
-    const double push = push_of(impact, contacts);
-    is_pushed = push > 0;
-    velocity = impact.rebound.velocity;
-    spin = resisted_spin(impact.rebound.spin, contacts[0].normal, inertia, friction.rolling * rock.rock.radius * push);
+    const RigidBodyImpact held = held_by(rock, contacts, phase.friction, inertia, velocity, spin);
+    is_pushed =
+        std::any_of(held.impulses.begin(), held.impulses.end(), [](const Vec3& impulse) { return impulse != Vec3{}; });
+    velocity = held.rebound.velocity;
+    spin = held.rebound.spin;
   }
 
   const Vec3 after_push = step.momentum_with(halfway, spin);
