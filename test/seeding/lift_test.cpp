@@ -53,6 +53,65 @@ TEST(Lifted, SphereTouchesRoughGround) {
   }
 }
 
+// ---- rocks with a shape ----
+
+const RockShape cube{{{-0.5, -0.5, -0.5},
+                      {-0.5, -0.5, 0.5},
+                      {-0.5, 0.5, -0.5},
+                      {-0.5, 0.5, 0.5},
+                      {0.5, -0.5, -0.5},
+                      {0.5, -0.5, 0.5},
+                      {0.5, 0.5, -0.5},
+                      {0.5, 0.5, 0.5}},
+                     {},
+                     Vec3::all(1.0 / 6),
+                     std::sqrt(0.75)};
+
+double lowest_over(const RasterSurface& ground, const Posture& body) {
+  double least = 1e300;
+  for (std::size_t i = 0; i < body.corners.size(); ++i) {
+    const Vec3 place = body.place(i);
+    least = std::min(least, place.z() - *ground.elevation(place.x(), place.y()));
+  }
+  return least;
+}
+
+TEST(Lifted, ACornerOfABodyTouchesTheGround) {
+  Dice dice(43);
+  RasterGrid grid;
+  grid.columns = grid.rows = 40;
+  for (int k = 0; k < 40 * 40; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 2)));
+  const RasterSurface ground(grid);
+  int moved = 0;
+  for (int k = 0; k < 500; ++k) {
+    const double x = dice.between(5, 34), y = dice.between(5, 34);
+    const Body body = body_of(cube, sphere_of_diameter(dice.between(0.2, 3), 2700));
+    const Orientation orientation = Orientation::of_turn(dice.between(0, 3) * dice.direction());
+    const Vec3 place{x, y, *ground.elevation(x, y) + dice.between(-1, 2)};
+    const double before = lowest_over(ground, body.at(place, orientation.matrix()));
+    const ClearPlace start = clear_place(ground, place, body, orientation);
+    if (before >= 0) {
+      EXPECT_EQ(start.fit, Fit::as_given) << k;
+      EXPECT_EQ(start.z, place.z()) << k;
+      continue;
+    }
+    ++moved;
+    EXPECT_EQ(start.fit, Fit::moved) << k;
+    EXPECT_NEAR(lowest_over(ground, body.at({x, y, start.z}, orientation.matrix())), 0, 2e-9) << k;
+  }
+  EXPECT_GT(moved, 100);
+}
+
+TEST(Lifted, AFlatBlockIsRaisedByHalfItsThickness) {
+  const Profile level(std::vector<Vec2>{{0, 0}, {100, 0}});
+  RockShape slab = cube;
+  for (Vec3& corner : slab.corners) corner = corner.times({2, 2, 0.25});
+  const Body body = body_of(slab, sphere_of_mass(2700, 2700));
+  EXPECT_NEAR(clear_place(level, {50, 0, 0}, body, {}).z, 0.125, 1e-9);
+  const Orientation upright = Orientation::of_turn({0, std::acos(0.0), 0});
+  EXPECT_NEAR(clear_place(level, {50, 0, 0}, body, upright).z, 1, 1e-9);
+}
+
 // ---- under a ceiling ----
 
 // A cave over a floor that falls from z = 10 to 8; its roof bulges down to (4, 14.6) under solid rock up to z = 20.

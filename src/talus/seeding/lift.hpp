@@ -5,7 +5,9 @@
 #include <optional>
 
 #include "talus/core/id.hpp"
+#include "talus/core/orientation.hpp"
 #include "talus/rocks/parabola.hpp"
+#include "talus/rocks/shape.hpp"
 #include "talus/rocks/touch.hpp"
 
 namespace talus {
@@ -90,6 +92,30 @@ template <class Surface>
     if (down > by_rounding) centre.z() -= down;
   }
   return centre.z() > place.z() ? ClearPlace{centre.z(), Fit::moved} : ClearPlace{place.z()};
+}
+
+/// Where a rock with a shape can be released, turned like this: as `place`, or raised until none of its corners is in
+/// the ground and one touches it. It is never moved through a ceiling.
+template <class Surface>
+[[nodiscard]] ClearPlace clear_place(const Surface& surface, const Vec3& place, const Body& body,
+                                     const Orientation& orientation) {
+  using namespace lift_detail;
+  constexpr int most_rounds = 64;  // where ground lies over ground, a corner may come into the next
+  Vec3 open = place;
+  if (const auto ground = surface.ground_over(place)) open.z() = *ground;
+  Posture posture = body.at(place, orientation.matrix());
+  for (int round = 0; round < most_rounds; ++round) {
+    double rise = 0;
+    for (std::size_t i = 0; i < body.corners.size(); ++i) {
+      const Vec3 corner = posture.place(i);
+      if (const auto ground = surface.ground_over(corner)) rise = std::max(rise, *ground - corner.z());
+    }
+    if (rise <= by_rounding) break;
+    posture.centre.z() += rise;
+  }
+  const double z = posture.centre.z();
+  if (!(z > place.z())) return {place.z()};
+  return is_open(surface, open, std::max(open.z(), z)) ? ClearPlace{z, Fit::moved} : ClearPlace{open.z(), Fit::no_room};
 }
 
 }  // namespace talus
