@@ -77,7 +77,7 @@ int replay(const ReplayOptions& options) {
         "{}: {} at t = {:.5f} s, contact {:.3f} m and top {:.3f} m above its foot, {:.1f} degrees to its "
         "normal\n",
         context.barriers[hit.barrier.index], name(hit.outcome), hit.motion.time, hit.height,
-        top_over(hit.lowest, record.body.radius), hit.angle() * 180 / std::numbers::pi);
+        top_over(hit.lowest, hit.half_height_of(record.body.radius)), hit.angle() * 180 / std::numbers::pi);
   }
   for (const Passage& passed : log.passed_above) {
     fmt::print("{}: passed above with {:.3f} m to spare\n", context.barriers[passed.barrier.index], passed.clearance);

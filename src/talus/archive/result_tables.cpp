@@ -175,7 +175,7 @@ void fill(HitRow& row, const TableContext& context, const RockRecord& record, co
   row.ke_total_J = row.ke_translational_J + row.ke_rotational_J;
   row.outcome = hit.outcome;
   row.ensemble = ensemble_in(context, record);
-  row.top_height_m = top_over(hit.lowest, record.body.radius);
+  row.top_height_m = top_over(hit.lowest, hit.half_height_of(record.body.radius));
 }
 
 }  // namespace talus

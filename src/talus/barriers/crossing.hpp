@@ -2,8 +2,8 @@
 // Where a rock meets a barrier. A sphere meets a barrier when it touches a panel: its face, its top or one of its
 // sides; a lumped mass, when it reaches the face. A rock passes above a panel when its centre crosses the vertical
 // plane above the panel's top (vertical even if the panel leans), and the rock does not touch the panel. A rock meets a
-// collector when its centre reaches it, or when a barrier stops or returns a sphere that touches the collector. Checked
-// by test/barriers.
+// collector when its centre reaches it, or when a barrier stops or returns a sphere that touches the collector. Rocks
+// with a shape: body_crossing.hpp. Checked by test/barriers.
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +21,20 @@ namespace talus {
 struct Crossing {
   double t = 0;
   BarrierId barrier;
-  double height = 0;     // along the face [m]: of the contact; at a collector, or above, of the centre
-  double lowest = 0;     // of the block's lowest point above the foot, along the face (rocks/heights.hpp) [m]
-  double clearance = 0;  // above: of the rock's underside over the panel's top [m]
-  double way_over = 0;   // above: the distance on plan to beyond a panel that leans against the rock [m]
-  Vec3 normal;           // unit, from the contact to the rock's centre; above: level
-  Vec3 across;           // unit, across the face, against the rock
-  Vec3 up;               // unit, up the face
+  double height = 0;       // along the face [m]: of the contact; at a collector, or above, of the centre
+  double lowest = 0;       // of the block's lowest point above the foot, along the face (rocks/heights.hpp) [m]
+  double half_height = 0;  // of a rock with a shape there: half of the way from its lowest point to its top [m]
+  double clearance = 0;    // above: of the rock's underside over the panel's top [m]
+  double way_over = 0;     // above: the distance on plan to beyond a panel that leans against the rock [m]
+  Vec3 normal;             // unit, from the contact to the rock's centre; above: level
+  Vec3 across;             // unit, across the face, against the rock
+  Vec3 up;                 // unit, up the face
   bool above = false;
   double station = 0;      // position along the line, on plan [m]
   bool from_ahead = true;  // from the side to which the panels' normals point
+
+  /// Half of the height of the block [m]; `radius`: of the sphere of the same volume.
+  [[nodiscard]] double half_height_of(double radius) const { return half_height > 0 ? half_height : radius; }
 };
 
 /// Barriers that a rock has just met, so that it does not meet them again where one part of its path ends and the next

@@ -30,9 +30,10 @@ LineCrossing line_crossing(const DesignPlan& plan, const DesignLine& line, const
   const double energy = energy_to_check(plan.factors, translational, total, velocity);
   constexpr double by_rounding = 1e-6;  // lowest point of a rock that rolls on the ground [m]
   const double lowest = crossing.lowest > by_rounding ? crossing.lowest : 0;
-  const double height = needed_height(plan.factors, lowest, radius_to_check(plan.factors, rock.mass, rock.radius));
+  const double half_height = crossing.half_height_of(rock.radius);
+  const double height = needed_height(plan.factors, lowest, radius_to_check(plan.factors, rock.mass, half_height));
   LineCrossing crosses{.section = line.section_at(crossing.station),
-                       .values = {translational, total, velocity, top_over(lowest, rock.radius), height,
+                       .values = {translational, total, velocity, top_over(lowest, half_height), height,
                                   line.lateral_of(crossing.station, crossing.motion.velocity)},
                        .diameter = 2 * rock.radius,
                        .needed_energy = needed_maximum_energy(plan.factors, energy)};

@@ -7,6 +7,10 @@
 // - Height at a line, and what a fence must have: of the top above the foot, along the face.
 //
 // The impact height on a barrier is that of the contact (barriers/barrier.hpp).
+//
+// A rock with a shape has its own lowest corner and top at barriers, collectors and in its bounce height. Where only
+// the path of its centre is known - maps, envelopes, lines and areas asked for after a run - it is the equivalent
+// sphere.
 
 #include <algorithm>
 

@@ -2,6 +2,7 @@
 // A convex rock: the corners of its hull, in the frame of the body - the principal axes of inertia through the centre
 // of mass, the longest of the block along x. A shape has a volume of 1 m3; rocks scale it.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -42,6 +43,7 @@ struct Body {
   double mass = 0;                // [kg]
   Vec3 inertia;                   // principal moments [kg m2]
   double reach = 0;               // [m]
+  double inner = 0;  // the radius of a sphere about the centre within the hull; 0 if it has no triangles [m]
 
   /// `turned`: from the body's frame to that of the terrain.
   [[nodiscard]] Posture at(const Vec3& centre, const Mat3& turned) const {
@@ -52,7 +54,15 @@ struct Body {
 /// The rock's radius is that of the sphere of the same volume. `shape` must live as long as the body.
 [[nodiscard]] inline Body body_of(const RockShape& shape, const Rock& rock) {
   const double scale = std::cbrt(4 * std::numbers::pi / 3) * rock.radius;
-  return {shape.corners, scale, rock.mass, rock.mass * scale * scale * shape.gyration, scale * shape.reach};
+  double inner = shape.triangles.empty() ? 0 : shape.reach;
+  for (const auto& [a, b, c] : shape.triangles) {
+    const Vec3& corner = shape.corners[a];
+    const Vec3 out = (shape.corners[b] - corner).cross(shape.corners[c] - corner);
+    inner = std::min(inner, corner.dot(out) / out.norm());
+  }
+  return {shape.corners,       scale,
+          rock.mass,           rock.mass * scale * scale * shape.gyration,
+          scale * shape.reach, scale * std::max(inner, 0.0)};
 }
 
 }  // namespace talus

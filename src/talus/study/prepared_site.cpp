@@ -49,7 +49,7 @@ class PreparedSite::Worker {
                             path.max_bounce});
     for (const Passage& hit : log.hits) {
       outcome.crossings.push_back({record.rock, hit.barrier, global(hit.motion.position), hit.height,
-                                   top_over(hit.lowest, record.body.radius), hit.motion.velocity.norm(),
+                                   top_over(hit.lowest, hit.half_height_of(record.body.radius)), hit.motion.velocity.norm(),
                                    translational_energy(record.body, hit.motion),
                                    rotational_energy(record.body, hit.motion), hit.station, hit.outcome});
     }

@@ -1,6 +1,7 @@
 #pragma once
 // A rock meets barriers and collectors: it is stopped, rebounds, breaks through, or passes above.
 
+#include "talus/barriers/body_crossing.hpp"
 #include "talus/trajectory/tracked_rock.hpp"
 
 namespace talus {
@@ -27,11 +28,18 @@ template <class Surface>
   return first_crossing(rock.barriers, path, rock.reach, rock.motion.time, t_max, rock.crossed);
 }
 
+/// The same for a rock with a shape. `way`: how it moves (barriers/body_crossing.hpp).
+template <class Surface, class Way>
+[[nodiscard]] std::optional<Crossing> next_body_crossing(MovingRock<Surface>& rock, const Way& way, double t_max) {
+  rock.crossed.forget_before(rock.motion.time);
+  return first_body_crossing(rock.barriers, way, rock.motion.time, t_max, rock.crossed);
+}
+
 /// `there`: the rock's motion at `crossing.t`, where it passes.
 template <class Surface, class Sink>
 void pass_above(TrackedRock<Surface, Sink>& rock, const Crossing& crossing, const Motion& there) {
   const double time = rock.motion.time + crossing.t, speed = std::abs(there.velocity.dot(crossing.normal));
-  rock.crossed.record_passage(crossing, time, speed > 0 ? time + (rock.reach + crossing.way_over) / speed : time);
+  rock.crossed.record_passage(crossing, time, speed > 0 ? time + (rock.extent() + crossing.way_over) / speed : time);
   rock.tell(event::PassedAbove{{crossing, there}});
 }
 
@@ -96,7 +104,7 @@ template <class Surface, class Sink>
     rock.crossed.record_rebound(crossing, path_time, response.leaving->velocity);
   } else if (response.leaving) {
     const double leaving_speed = std::max(response.leaving->velocity.norm(), tolerance::least_passing_speed);
-    rock.crossed.record_passage(crossing, path_time, path_time + 4 * rock.reach / leaving_speed);
+    rock.crossed.record_passage(crossing, path_time, path_time + 4 * rock.extent() / leaving_speed);
   }
   if (barrier.is_collector) {
     rock.tell(event::AtCollector{passage});

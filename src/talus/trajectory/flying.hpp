@@ -55,6 +55,19 @@ template <class Surface, class Sink>
   return strike(rock, contact, phase.ground);
 }
 
+template <class Surface>
+[[nodiscard]] std::optional<Crossing> next_crossing_of(MovingRock<Surface>& rock, const Flying&, const Parabola& path,
+                                                       const LinearDrag&, double t_max) {
+  return next_crossing(rock, path, t_max);
+}
+
+/// MovingRock::max_height after a flight that began at the time `start`.
+template <class Surface>
+[[nodiscard]] double max_height_after(const MovingRock<Surface>& rock, const Flying&, double, const Parabola& path,
+                                      const LinearDrag&, double t_end) {
+  return max_height_of_flight(rock.surface, path, 0, t_end, rock.max_height);
+}
+
 /// A barrier has changed its motion.
 template <class Surface, class Sink>
 [[nodiscard]] Phase fly_on(TrackedRock<Surface, Sink>&, const Flying&, const Vec3&) {
@@ -71,7 +84,7 @@ template <class Surface, class Sink, class InAir, class Touch>
   const auto retime = [&] {
     if (drag.rate > 0) rock.crossed.retime(start, [&](double t) { return drag.time(t); });
   };
-  while (const auto crossing = next_crossing(rock, path, flight_end.t)) {
+  while (const auto crossing = next_crossing_of(rock, phase, path, drag, flight_end.t)) {
     const Motion before = motion;
     rock.advance(path, drag, crossing->t);
     if (crossing->above) {
@@ -85,15 +98,15 @@ template <class Surface, class Sink, class InAir, class Touch>
     }
     retime();
     rock.tell(event::Flight{before, path, crossing->t, drag});
-    rock.max_height = max_height_of_flight(rock.surface, path, 0, crossing->t, rock.max_height);
+    rock.max_height = max_height_after(rock, phase, start, path, drag, crossing->t);
     if (then == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
     rock.leave(PathState::projectile);
     return fly_on(rock, phase, before.spin);
   }
 
   retime();
-  rock.max_height = flight_end.max_height ? *flight_end.max_height
-                                          : max_height_of_flight(rock.surface, path, 0, flight_end.t, rock.max_height);
+  rock.max_height =
+      flight_end.max_height ? *flight_end.max_height : max_height_after(rock, phase, start, path, drag, flight_end.t);
   rock.tell(event::Flight{motion, path, flight_end.t, drag});
   rock.advance(path, drag, flight_end.t);
   if (flight_end.contact) return come_down(rock, phase, *flight_end.contact);

@@ -63,7 +63,7 @@ class MovingRock : public RockState {
         leaving_speed(std::max(laws.normal_velocity_cutoff, std::sqrt(2 * laws.gravity.norm() * contact_slack))),
         has_forest(scene.ground.has_forest()),
         has_bumps(scene.laws.roughness == RoughnessLaw::faces && scene.ground.is_rough()),
-        max_height(reach),
+        max_height(body ? 0 : reach),
         draws_(draws) {
     motion = release.motion;
   }
@@ -82,10 +82,13 @@ class MovingRock : public RockState {
   const double leaving_speed;
   const bool has_forest, has_bumps;
   RockOutcome outcome;
-  double max_height;  // so far, of its place above the ground below it [m]
+  // So far, of its place above the ground below it; with a shape, of its lowest corner above the ground below that [m].
+  double max_height;
   RecentCrossings crossed;
   ClearWay clear;
 
+  /// From the centre to the farthest point of the rock [m].
+  [[nodiscard]] double extent() const { return body ? body->reach : reach; }
   [[nodiscard]] bool is_sphere() const { return has_extent(laws.model); }
   [[nodiscard]] double kinetic_energy() const { return talus::kinetic_energy(rock, motion); }
   /// Whether it is caught, and slower than a rock that may stop.
@@ -177,7 +180,7 @@ class MovingRock : public RockState {
   void update_max_energy() { outcome.max_kinetic_energy = std::max(outcome.max_kinetic_energy, kinetic_energy()); }
   /// In the first `t` of a leg on a facet or one of its edges or vertices.
   void update_max_height(FacetId facet, const Parabola& leg, double t) {
-    if (reach == 0) return;
+    if (reach == 0 || body) return;  // the lowest corner of a body on the ground is on it
     max_height = max_height_of_leg(surface, outline_of(facet), leg, t, 0, t, max_height);
   }
 

@@ -4,8 +4,9 @@
 //
 // Heights are those of the rock's place straight above the ground below it: in flight, and also of a sphere on the
 // ground; of a lumped mass on the ground it is 0. The bounce height is lowest_point() of the maximum
-// (rocks/heights.hpp). Heights are exact along a flight. A leg on the ground is taken as straight, which it is unless a
-// sphere curves on a facet; then its ends are exact, and the ground below its chord is the same plane.
+// (rocks/heights.hpp); a rock with a shape is taken as the sphere of the same volume here, and its run keeps the height
+// of its lowest corner instead. Heights are exact along a flight. A leg on the ground is taken as straight, which it is
+// unless a sphere curves on a facet; then its ends are exact, and the ground below its chord is the same plane.
 //
 // Checked by test/trajectory/piece_maxima_test.cpp.
 

@@ -160,7 +160,7 @@ template <TerrainSurface Surface, class Sink>
 void RockRun<Surface, Sink>::end() {
   rock_.outcome.reason = std::get<Ended>(rock_.phase).reason;
   rock_.update_max_energy();
-  rock_.outcome.max_bounce = lowest_point(rock_.max_height, rock_.reach);
+  rock_.outcome.max_bounce = rock_.body ? rock_.max_height : lowest_point(rock_.max_height, rock_.reach);
   rock_.outcome.end = rock_.motion;
   if (rock_.outcome.reason != EndReason::left_model) {
     if (const auto below = rock_.surface.ground_below(rock_.motion.position))

@@ -74,14 +74,31 @@ template <class Surface, class Sink>
   return Tumbling{phase.orientation, phase.spin, rock.motion.time};
 }
 
-/// Barriers on the straight way of a step of duration `dt`, at the end of which the rock has `after`. nullopt if none
-/// changes it.
+/// A step: its centre moves straight, and it turns with one spin in the first half and with another in the second.
+struct BodyLeg {
+  const Body& body;
+  const Parabola& path;
+  double duration;  // [s]
+  Orientation start, halfway;
+  Vec3 spin, later_spin;
+
+  [[nodiscard]] Orientation orientation_at(double t) const {
+    const double half = 0.5 * duration;
+    return t < half ? Orientation::of_turn(t * spin) * start : Orientation::of_turn((t - half) * later_spin) * halfway;
+  }
+  [[nodiscard]] Posture at(double t) const { return body.at(path.at(t), orientation_at(t).matrix()); }
+  [[nodiscard]] double max_turning() const { return std::max(spin.norm(), later_spin.norm()); }
+};
+
+/// Barriers on the way of a step, at the end of which the rock has `after`. nullopt if none changes it.
 template <class Surface, class Sink>
 [[nodiscard]] std::optional<Phase> meet_barriers_in_touch(TrackedRock<Surface, Sink>& rock, const Touching& phase,
-                                                          FacetId facet, const Parabola& leg, double dt,
-                                                          const Motion& after) {
+                                                          FacetId facet, const BodyLeg& step, const Motion& after) {
   Motion& motion = rock.motion;
-  while (const auto crossing = next_crossing(rock, leg, dt)) {
+  const Parabola& leg = step.path;
+  if (!may_meet(rock.barriers, leg, step.duration, step.body.reach)) return std::nullopt;
+  const Vec3 pull = (after.velocity - motion.velocity) / step.duration;  // of gravity and of the ground
+  while (const auto crossing = next_body_crossing(rock, step, step.duration)) {
     const Motion before = std::exchange(motion, after);
     motion.position = leg.at(crossing->t);
     motion.time = before.time + crossing->t;
@@ -90,7 +107,7 @@ template <class Surface, class Sink>
       continue;
     }
     const Motion arrived = motion;
-    const AtBarrier effect = meet_barrier(rock, *crossing, motion.time, rock.laws.gravity);
+    const AtBarrier effect = meet_barrier(rock, *crossing, motion.time, pull);
     if (effect == AtBarrier::unaffected) {
       motion = before;
       continue;
@@ -98,6 +115,7 @@ template <class Surface, class Sink>
     rock.cover_leg(facet, leg, crossing->t, before, arrived);
     if (effect == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
     Touching next = phase;
+    next.orientation = step.orientation_at(crossing->t);
     next.spin = spin_after(rock, phase.spin, arrived.spin);
     motion.spin = spin_of_sphere(rock.rock, *rock.body, next.orientation, next.spin);
     rock.leave(PathState::sliding);
@@ -154,6 +172,7 @@ template <class Surface, class Sink>
 
   const Motion before = motion;
   const Orientation start = phase.orientation;
+  const Vec3 start_spin = phase.spin;
   const double energy = step.energy(motion.position, motion.velocity, start.to_body(phase.spin));
   const Vec3 momentum = step.momentum_with(start, phase.spin);
   HalfStep half = half_step(rock, phase, dt);
@@ -205,7 +224,8 @@ template <class Surface, class Sink>
   const Motion after{motion.position + way, velocity, spin_of_sphere(rock.rock, body, end, end_spin), motion.time + dt};
   const FacetId facet = contacts.size() > 0 ? contacts[0].facet : rock.last_contact.with.facet;
   const Parabola leg{before.position, way / dt, Vec3{}};
-  if (auto met = meet_barriers_in_touch(rock, phase, facet, leg, dt, after)) return NextPhase{*std::move(met)};
+  const BodyLeg way_there{body, leg, dt, start, halfway, start_spin, spin};
+  if (auto met = meet_barriers_in_touch(rock, phase, facet, way_there, after)) return NextPhase{*std::move(met)};
   motion = after;
   rock.cover_leg(facet, leg, dt, before, motion);
   rock.update_max_energy();
