@@ -18,7 +18,7 @@ def reference_page() -> str:
     parts = [HEAD]
     parts += ["## Functions\n", *entries(talus, [talus.run, talus.prepare, talus.follow, talus.open_results, talus.columns,
                                                 talus.schema])]
-    for kind in (talus.Project, talus.Model, talus.Results, talus.Map, talus.Trajectory, talus.Surface, talus.BadInput,
+    for kind in (talus.Project, talus.Shape, talus.Model, talus.Results, talus.Map, talus.Trajectory, talus.Surface, talus.BadInput,
                  talus.Problem, talus.Interrupted):
         parts.append(class_text(kind))
     for module in (impact, flight, plots):

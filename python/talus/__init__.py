@@ -20,6 +20,7 @@ from .project import Project
 from .results import Column, Results, columns, open_results
 from .runs import Model, follow, prepare, run
 from .settings import *
+from .rock_shapes import Shape
 from .surface import Surface
 from .trajectory import Trajectory
 

@@ -30,6 +30,27 @@ def test_a_project_of_typed_tables_is_that_of_its_text(slope, tmp_path):
     assert talus.run(ours).end_points.tobytes() == talus.run(slope).end_points.tobytes()
 
 
+def test_shapes_are_made_from_what_is_known_of_a_block(tmp_path):
+    (tmp_path / "block.xyz").write_text("0 0 0\n1 0 0\n0 2 0\n0 0 3\n")
+    shapes = [
+        talus.Shape.ellipsoid(0.6, 1.2, 0.9, name="rounded"), talus.Shape.box(1, 2, 3, name="box"),
+        talus.Shape.ratios(talus.Normal(0.8, 0.1), 0.5, name="slabs", style="angular"),
+        talus.Shape.prism(6, length_ratio=2, name="column"), talus.Shape.scan("block.xyz", name="scan"),
+        talus.Shape.group({"box": 1, "cube": 3}, name="mixed")]
+    project = talus.Project(
+        folder=tmp_path, analysis=talus.Analysis(model="rigid_body"),
+        terrain=talus.Terrain(section=[[0, 50], [40, 10], [100, 0]], width_m=20), material=[talus.Material(name="Rock")],
+        shape=shapes, output=talus.Output(report=False),
+        seeder=[talus.Seeder(name=each.name, position=[1, 10], height_above_m=2, rocks=3, mass_kg=500, shape=each.name)
+                for each in shapes])
+    assert [each["name"] for each in project.settings["shape"]] == [each.name for each in shapes]
+    assert project.settings["shape"][4]["scan"] == "block.xyz"
+    ends = talus.run(project).end_points
+    assert len(ends) == 18 and (ends["runout_xy_m"] > 10).all()
+    again = talus.Project.read(project.write(tmp_path / "shapes.toml"))
+    assert again.settings["shape"] == project.settings["shape"]
+
+
 def test_a_project_that_was_read_is_written_as_it_is(slope, tmp_path):
     assert slope.write(tmp_path / "slope.toml").read_text() == SLOPE
     changed = slope.changed(rocks=77, material={"Rock": {"friction_angle_deg": 35}})

@@ -21,6 +21,8 @@ constexpr std::array examples{
             "tutorial-1/tutorial-1-2d.toml"},
     Example{"tutorial-1-3d", "Tutorial 1, in 3D", "The same slope extruded 50 m along the road, with a collector",
             "tutorial-1/tutorial-1-3d.toml"},
+    Example{"blocks", "Blocks", "Long, flat and equant blocks, and spheres, from the same cliff: where each stops",
+            "blocks/blocks.toml"},
     Example{"bowl", "The bowl", "Three closed polylines become a surface; one rock, whose trajectory is published",
             "bowl/bowl.toml"},
     Example{"sliding", "Sliding", "Rocks bounce, slide uphill, turn back and come to rest", "sliding/sliding.toml"},
