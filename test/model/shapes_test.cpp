@@ -58,34 +58,38 @@ class ShapesOfRocks : public testing_tools::InputFolder {
 };
 
 struct Runouts {
-  double mean = 0, error = 0;
+  double mean = 0, error = 0, aside = 0;  // aside: standard deviation of y [m]
 };
 
 Runouts runouts_of(const Model& model, std::uint64_t rocks) {
   Simulator simulator(model);
-  double sum = 0, squares = 0;
+  double sum = 0, squares = 0, aside = 0;
   for (std::uint64_t rock = 0; rock < rocks; ++rock) {
-    const double x = simulator.simulate(rock, false).outcome.end.position.x();
+    const RockOutcome outcome = simulator.simulate(rock, false).outcome;
+    const double x = outcome.end.position.x(), y = outcome.end.position.y() - outcome.start.position.y();
     sum += x;
     squares += x * x;
+    aside += y * y;
   }
   const auto n = static_cast<double>(rocks);
-  return {sum / n, std::sqrt((squares / n - sum * sum / n / n) / n)};
+  return {sum / n, std::sqrt((squares / n - sum * sum / n / n) / n), std::sqrt(aside / n)};
 }
 
-// The order that is found in the field: by b/a.
+// The order that is found in the field, by b/a; and flat blocks run on edge, as wheels do, in any direction.
 TEST_F(ShapesOfRocks, LongBlocksStopFirstAndSpheresLast) {
-  constexpr std::uint64_t rocks = 150;
-  std::vector<Runouts> runouts;
-  for (const char* shape : {"long", "flat", "equant", "sphere"}) {
-    const Model built =
-        model(in_3d("roughness_deg = 10\n" + seeder("rocks = 150\nshape = \"" + std::string(shape) + "\"\n")));
-    runouts.push_back(runouts_of(built, rocks));
-  }
-  for (std::size_t k = 0; k + 1 < runouts.size(); ++k) {
-    const double error = std::hypot(runouts[k].error, runouts[k + 1].error);
-    EXPECT_GT(runouts[k + 1].mean - runouts[k].mean, 2 * error) << k;
-  }
+  constexpr std::uint64_t rocks = 200;
+  const auto runouts = [&](const std::string& shape) {
+    std::string text = in_3d("roughness_deg = 10\n" + seeder("rocks = 200\nshape = \"" + shape + "\"\n"));
+    text.replace(text.find("width_m = 100"), 13, "width_m = 800");
+    text.replace(text.find("[1, 50]"), 7, "[1, 400]");
+    return runouts_of(model(text), rocks);
+  };
+  const Runouts far = runouts("long"), farther = runouts("equant"), farthest = runouts("sphere"),
+                flat = runouts("flat");
+  EXPECT_GT(farther.mean - far.mean, 4 * std::hypot(far.error, farther.error));
+  EXPECT_GT(farthest.mean - farther.mean, 4 * std::hypot(farther.error, farthest.error));
+  EXPECT_GT(flat.mean - far.mean, 2 * std::hypot(flat.error, far.error));
+  EXPECT_GT(flat.aside, 1.5 * farther.aside);
 }
 
 TEST_F(ShapesOfRocks, EveryWordMakesABody) {
@@ -191,6 +195,9 @@ TEST_F(ShapesOfRocks, ATableGivesTheAxesOfEachBlock) {
   EXPECT_THAT(built.seeder_report, HasSubstr("columns x_m, y_m, mass_kg, a_m, b_m, c_m"));
   const auto& rows = std::get<ReleaseTable>(*built.seeders.front().where);
   EXPECT_EQ(rows.given(1).axes, Vec3(0.9, 0.9, 0.6)) << "in descending order";
+  std::string of_spheres = in_3d(table);
+  of_spheres.replace(of_spheres.find("rigid_body"), 10, "rigid_sphere");
+  EXPECT_THAT(model(of_spheres).seeder_report, HasSubstr("(not used: a_m, b_m, c_m)"));
   EXPECT_EQ(
       refusal(in_3d(table + "shape = \"cube\"\n")),
       "slope.toml:11: seeder \"seeder 1\": shape is \"cube\", and its table gives the axes of blocks (only a block "

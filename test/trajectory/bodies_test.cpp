@@ -180,6 +180,23 @@ TEST(Bodies, RollingFrictionHoldsABlockOnItsEdge) {
   }
 }
 
+// A cube on a corner that spins about the vertical as a top: friction under the corner takes its spin at a constant
+// rate, 2/3 mu mu_r r m g / I, and it falls over or comes to rest.
+TEST(Bodies, FrictionEndsThePivotOnACorner) {
+  const RockShape cube = box({1, 1, 1});
+  Release release;
+  release.rock = sphere_of_mass(2700, 2700);
+  const Vec3 diagonal = Vec3(1, 1, 1).normalized(), axis = diagonal.cross(-unit_z).normalized();
+  release.orientation = Orientation::of_turn(std::acos(-diagonal.z()) * axis);
+  release.motion.position = {0, 0, std::sqrt(0.75) + 1e-9};
+  release.motion.spin = {0, 0, 2};
+  const Recorder seen = OnPlane{0, 0.6, 0, 0.3}.follow(cube, release);
+  EXPECT_EQ(seen.reason, EndReason::at_rest);
+  const double rate = 2.0 / 3 * 0.6 * 0.3 * release.rock.radius * g / (1.0 / 6);
+  EXPECT_NEAR(seen.moments.back().time, 2 / rate + 0.3, 0.1);
+  EXPECT_NEAR(seen.moments.back().position.z(), std::sqrt(0.75), 1e-3) << "rolling friction holds it upright";
+}
+
 // A brick of 0.5 x 1 m on a slope of 30 degrees turns over its lower edge: tan 30 > 0.5 / 1. Its turn is a pendulum's,
 // from rest: times and rates by quadrature. Steps of 10 ms are of first order: within 1 % here.
 TEST(Bodies, ABrickTipsAsAPendulum) {

@@ -150,8 +150,10 @@ inline constexpr double soon_struck = 1e-3;
 /// [m].
 inline constexpr double apart_in_flight = 0.01;
 inline constexpr double clear_in_flight = 1e-5;
-/// It rests if it has hardly moved for so long [s], and is held: gravity moves it by less than this share.
+/// It rests if it has hardly moved for so long [s], and the corners this near to the ground [m] hold it: gravity moves it
+/// by less than this share.
 inline constexpr double quiet_at_rest = 0.3;
+inline constexpr double near_touch = 1e-3;
 inline constexpr double held_share = 1e-3;
 
 /// Sine of the angle between the slip of a contact and the friction against it, below which they are opposite.

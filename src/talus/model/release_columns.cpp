@@ -138,9 +138,11 @@ class Finder {
     return std::nullopt;
   }
 
+  [[nodiscard]] bool is_read(ReleaseColumn column) const { return !is_axis(column) || request_.has_axes; }
+
   [[nodiscard]] std::optional<ReleaseColumn> meaning_of(std::string_view plain) const {
     for (const ReleaseColumnFacts& facts : columns()) {
-      if (is_axis(facts.column) && !request_.has_axes) continue;
+      if (!is_read(facts.column)) continue;
       const std::string name = facts.name();
       if (plain == name || (is_coordinate(facts.column) && plain == facts.stem)) return facts.column;
       constexpr std::size_t longest = 10;
@@ -165,7 +167,8 @@ class Finder {
   /// A known quantity in another unit, or without one, that no other column gives.
   void refuse_units() {
     for (const ReleaseColumnFacts& facts : columns()) {
-      if (found_.has(facts.column) || (request_.has_geometry && (facts.column == x || facts.column == y))) continue;
+      if (!is_read(facts.column) || found_.has(facts.column)) continue;
+      if (request_.has_geometry && (facts.column == x || facts.column == y)) continue;
       for (std::size_t k = 0; k < plain_.size(); ++k) {
         if (k == found_.name || k == found_.source || meaning_of(plain_[k])) continue;
         const std::string_view plain = plain_[k];
@@ -247,7 +250,7 @@ class Finder {
       if (place) is_used[*place] = true;
     std::vector<std::string> free_names, free_words;
     for (const ReleaseColumnFacts& facts : columns()) {
-      if (found_.has(facts.column)) continue;
+      if (!is_read(facts.column) || found_.has(facts.column)) continue;
       free_names.push_back(facts.name());
       constexpr std::size_t longest_symbol = 2;  // vx: another letter makes another symbol
       if (facts.stem.size() > longest_symbol) free_words.push_back(facts.name());

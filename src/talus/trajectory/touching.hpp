@@ -41,13 +41,26 @@ template <class Surface>
   return step;
 }
 
-/// The impulses that keep contacts from moving further towards the ground.
+/// The spin after a moment impulse [N m s] about the normal `n` that resists it, and ends it at most.
+[[nodiscard]] inline Vec3 resisted_pivot(const Vec3& spin, const Vec3& n, const BodyInertia& inertia, double moment) {
+  const Vec3 answer = inertia.inverse_inertia * n;
+  const double pivot = spin.dot(n);
+  return spin - std::copysign(std::min(moment, std::abs(pivot) / n.dot(answer)), pivot) * answer;
+}
+
+/// The impulses that keep contacts from moving further towards the ground. Friction under a contact of the size that
+/// resists rolling, mu_r r, resists pivoting: 2/3 mu Pn mu_r r, of a disc that presses evenly.
 template <class Surface>
 [[nodiscard]] RigidBodyImpact held_by(const MovingRock<Surface>& rock, const ContactSet& contacts,
                                       const GroundFriction& friction, const BodyInertia& inertia, const Vec3& velocity,
                                       const Vec3& spin) {
-  return rigid_body_impact(velocity, spin, inertia, contacts, {}, friction.sphere.dynamic,
-                           friction.sphere.rolling * rock.rock.radius);
+  const double arm = friction.sphere.rolling * rock.rock.radius;
+  RigidBodyImpact held = rigid_body_impact(velocity, spin, inertia, contacts, {}, friction.sphere.dynamic, arm);
+  double push = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) push += held.impulses[i].dot(contacts[i].normal);
+  held.rebound.spin = resisted_pivot(held.rebound.spin, contacts[0].normal, inertia,
+                                     2.0 / 3 * friction.sphere.dynamic * arm * std::max(push, 0.0));
+  return held;
 }
 
 /// Whether friction and the resistance to rolling hold the body where it is, without a motion.
@@ -162,6 +175,7 @@ template <class Surface>
 
 template <class Surface, class Sink>
 [[nodiscard]] std::optional<NextPhase> take_step(TrackedRock<Surface, Sink>& rock, Touching& phase) {
+  constexpr double max_quiet = 3;  // [s]; then it rests, even if friction only just fails to hold it
   const Body& body = *rock.body;
   const BodyStep step{body, rock.laws.gravity};
   Motion& motion = rock.motion;
@@ -239,9 +253,13 @@ template <class Surface, class Sink>
   }
   const bool is_slow =
       velocity.norm() < rock.laws.stopped_velocity && end_spin.norm() * body.reach < rock.laws.stopped_velocity;
-  phase.quiet = is_slow && is_pushed ? phase.quiet + dt : 0;
-  if (phase.quiet > tolerance::quiet_at_rest && is_held(rock, inertia, contacts, phase.friction)) {
-    return NextPhase{come_to_rest(rock)};
+  phase.quiet = is_slow ? phase.quiet + dt : 0;
+  if (phase.quiet > tolerance::quiet_at_rest) {
+    // Corners that nearly touch will hold it, too: from step to step, some of them hover.
+    const auto near =
+        touched_by(rock.surface, body.at(motion.position, end.matrix()), tolerance::near_touch).contacts();
+    const bool is_at_rest = near.size() > 0 && is_held(rock, inertia_of(body, end), near, phase.friction);
+    if (is_at_rest || phase.quiet > max_quiet) return NextPhase{come_to_rest(rock)};
   }
   return std::nullopt;
 }
