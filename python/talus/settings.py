@@ -444,7 +444,7 @@ class Shape(Table):
     Excludes b_over_a, c_over_b, axes_m, solid, sides, scan, of.
 
     length_ratio: 3D: length of the prism over the square root of the area of its section. Range: at least 0.05, at
-    most 20. Default: 1.
+    most 20. Without it: 1.
 
     scan: 3D: a file of a measured block: a mesh (OBJ, STL, PLY) or points (text), in any unit. The rock is its
     convex hull, scaled to its volume. The path is relative to the project file. Without it: one of of, scan,
