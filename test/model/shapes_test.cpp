@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "support/input_folder.hpp"
+#include "support/places.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/model/fingerprint.hpp"
 #include "talus/model/model.hpp"
@@ -106,6 +109,13 @@ TEST_F(ShapesOfRocks, EveryWordMakesABody) {
       for (const Vec3& corner : hull.corners) EXPECT_EQ(corner.y(), 0);
     }
   }
+}
+
+TEST(BuiltInShapes, AreAllInThePageOfShapes) {
+  std::ifstream page(places::in_source("/docs/shapes.md"));
+  const std::string text(std::istreambuf_iterator<char>(page), {});
+  for (const BuiltInShape& each : built_in_shapes())
+    EXPECT_THAT(text, HasSubstr("`" + each.shape.name + "`")) << "which says what each word means";
 }
 
 // A square prism, and its section: the same impacts until rounding has grown.

@@ -59,7 +59,7 @@ struct Extent {
 template <class Way>
 [[nodiscard]] std::optional<Crossing> touch(BarrierId barrier, const Panel& panel, const Way& way, double t_max) {
   constexpr int max_steps = 1000, steps_in_full = 16;
-  constexpr double least_way = 1e-3;  // in a step after those [m]: what reaches less far into a panel may be missed
+  constexpr double min_way = 1e-3;  // in a step after those [m]: what reaches less far into a panel may be missed
   constexpr double near = tolerance::barrier_range;
   const Parabola& path = way.path;
   const double reach = way.body.reach, turning = way.max_turning() * reach;
@@ -82,7 +82,7 @@ template <class Way>
     const double root = c * c + 2 * a * gap, divisor = root >= 0 ? c + std::sqrt(root) : 0;
     if (!(divisor > 0)) break;
     double dt = 2 * gap / divisor;
-    if (step >= steps_in_full) dt = std::max(dt, least_way / (velocity.norm() + turning));
+    if (step >= steps_in_full) dt = std::max(dt, min_way / (velocity.norm() + turning));
     t += dt;
     if (t > times->last) break;
     last = apart;

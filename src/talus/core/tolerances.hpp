@@ -154,6 +154,8 @@ inline constexpr double clear_in_flight = 1e-5;
 /// by less than this share.
 inline constexpr double quiet_at_rest = 0.3;
 inline constexpr double near_touch = 1e-3;
+/// Or if it has hardly moved for so long [s]: on ground near its friction angle, steps take the energy of slow motion.
+inline constexpr double max_quiet = 3;
 inline constexpr double held_share = 1e-3;
 
 /// Sine of the angle between the slip of a contact and the friction against it, below which they are opposite.

@@ -183,7 +183,7 @@ class Impulses {
   }
 
   [[nodiscard]] RigidBodyImpact with(Restitution restitution) const {
-    constexpr double most_kept = 0.98;  // of a change by the next
+    constexpr double max_kept = 0.98;  // of a change by the next
     RigidBodyImpact result;
     Struck struck = before_;
     std::array<Vec3, ContactSet::most> impulses, changes;  // in the frames of the contacts; changes: of the last round
@@ -232,7 +232,7 @@ class Impulses {
       }
       // Changes that shrink by the same share each round, summed at once (A. Aitken's method).
       const bool is_extrapolated = sweep % 3 == 2 && sweep < tolerance::sweeps_in_full;
-      if (!is_extrapolated || !(product > 0 && product < most_kept * squared_before)) continue;
+      if (!is_extrapolated || !(product > 0 && product < max_kept * squared_before)) continue;
       const double share = product / (squared_before - product);
       for (std::size_t i = 0; i < size_; ++i) {
         impulses[i] += share * changes[i];

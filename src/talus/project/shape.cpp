@@ -8,55 +8,42 @@ namespace talus::project {
 
 namespace {
 
-Distribution ratio(double mean) {
-  Distribution distribution;
-  distribution.mean = mean;
-  return distribution;
-}
-
 Distribution measured_ratio(double mean, double std_dev) {
-  Distribution distribution = ratio(mean);
+  Distribution distribution = constant(mean);
   distribution.kind = DistributionKind::normal;
   distribution.std_dev = std_dev;
   return distribution;
 }
 
-BuiltInShape block(const char* word, Distribution b_over_a, Distribution c_over_b, std::string_view meaning) {
-  return {{.name = word, .b_over_a = std::move(b_over_a), .c_over_b = std::move(c_over_b)}, false, meaning};
+BuiltInShape block(const char* word, Distribution b_over_a, Distribution c_over_b) {
+  return {{.name = word, .b_over_a = std::move(b_over_a), .c_over_b = std::move(c_over_b)}, false};
 }
 
-BuiltInShape solid(const char* word, Solid kind, std::string_view meaning) {
-  return {{.name = word, .solid = kind}, false, meaning};
-}
+BuiltInShape solid(const char* word, Solid kind) { return {{.name = word, .solid = kind}, false}; }
 
-BuiltInShape regular(const char* word, std::int64_t sides) {
-  return {{.name = word, .sides = sides}, true, "a regular polygon; in 3D a prism as long as the root of its area"};
-}
+BuiltInShape regular(const char* word, std::int64_t sides) { return {{.name = word, .sides = sides}, true}; }
 
 BuiltInShape rectangle(const char* word, double short_side, double long_side) {
   const double x = long_side / 2, z = short_side / 2;
-  return {{.name = word, .polygon = {{-x, -z}, {x, -z}, {x, z}, {-x, z}}},
-          true,
-          "a rectangle with sides in this ratio; in 3D a prism as long as the root of its area"};
+  return {{.name = word, .polygon = {{-x, -z}, {x, -z}, {x, z}, {-x, z}}}, true};
 }
 
 }  // namespace
 
 std::span<const BuiltInShape> built_in_shapes() {
   static const std::vector<BuiltInShape> list{
-      block("equant", ratio(0.9), ratio(0.9), "a rounded block with b/a = 0.9 and c/b = 0.9"),
-      block("flat", ratio(0.95), ratio(0.5), "a rounded block with b/a = 0.95 and c/b = 0.5"),
-      block("long", ratio(0.55), ratio(0.9), "a rounded block with b/a = 0.55 and c/b = 0.9"),
-      block(
-          "block", measured_ratio(0.78, 0.13), measured_ratio(0.82, 0.11),
-          "rounded blocks with ratios as 89 measured blocks of limestone have them: b/a 0.78 ± 0.13, c/b 0.82 ± 0.11"),
-      solid("tetrahedron", Solid::tetrahedron, "a regular solid"),
-      solid("cube", Solid::cube, "a regular solid"),
-      solid("octahedron", Solid::octahedron, "a regular solid"),
-      solid("dodecahedron", Solid::dodecahedron, "a regular solid"),
-      solid("icosahedron", Solid::icosahedron, "a regular solid"),
-      solid("icosphere_32", Solid::icosphere_32, "a ball of 32 triangles"),
-      solid("icosphere_80", Solid::icosphere_80, "a ball of 80 triangles"),
+      block("equant", constant(0.9), constant(0.9)),
+      block("flat", constant(0.95), constant(0.5)),
+      block("long", constant(0.55), constant(0.9)),
+      // As measured on 89 blocks of a limestone quarry.
+      block("block", measured_ratio(0.78, 0.13), measured_ratio(0.82, 0.11)),
+      solid("tetrahedron", Solid::tetrahedron),
+      solid("cube", Solid::cube),
+      solid("octahedron", Solid::octahedron),
+      solid("dodecahedron", Solid::dodecahedron),
+      solid("icosahedron", Solid::icosahedron),
+      solid("icosphere_32", Solid::icosphere_32),
+      solid("icosphere_80", Solid::icosphere_80),
       regular("triangle", 3),
       regular("square", 4),
       regular("pentagon", 5),

@@ -41,11 +41,10 @@ struct Shape {
 /// The word for rocks without a shape of their own.
 inline constexpr std::string_view sphere_word = "sphere";
 
-/// A shape that needs no table.
+/// A shape that needs no table; docs/shapes.md says what each is.
 struct BuiltInShape {
-  Shape shape;               // with its word as its name
-  bool is_for_sections;      // also in 2D
-  std::string_view meaning;  // for documents
+  Shape shape;           // with its word as its name
+  bool is_for_sections;  // also in 2D
 };
 
 /// All but the sphere.

@@ -15,7 +15,7 @@ constexpr std::array<Vec3, 3> axes{unit_x, unit_y, unit_z};
 constexpr double steady_share = 1e-14;
 
 /// Of 1 - m: less is rounding.
-constexpr double least_m1 = 1e-22;
+constexpr double min_m1 = 1e-22;
 
 }  // namespace
 
@@ -48,8 +48,8 @@ FreeRotation::FreeRotation(const Vec3& inertia, const Orientation& start, const 
   const double amplitude_a = std::sqrt(largest), amplitude_c = std::copysign(std::sqrt(circled), wc);
   const double amplitude_b = sigma * (ic - ia) * amplitude_a * amplitude_c / (ib * p);
   const double scale = circled * ic * (ic - ib);
-  const double m1 = std::clamp((beyond(c_) + beyond(a_)) / scale, least_m1, 1.0);
-  const double m = std::min(largest * ia * (ib - ia) / scale, 1 - least_m1);
+  const double m1 = std::clamp((beyond(c_) + beyond(a_)) / scale, min_m1, 1.0);
+  const double m = std::min(largest * ia * (ib - ia) / scale, 1 - min_m1);
   series_ = ThetaSeries(m, m1);
 
   const double sn = wb / amplitude_b, cn = wa / amplitude_a, unit = 1 / std::sqrt(sn * sn + cn * cn);

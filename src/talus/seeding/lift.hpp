@@ -100,11 +100,11 @@ template <class Surface>
 [[nodiscard]] ClearPlace clear_place(const Surface& surface, const Vec3& place, const Body& body,
                                      const Orientation& orientation) {
   using namespace lift_detail;
-  constexpr int most_rounds = 64;  // where ground lies over ground, a corner may come into the next
+  constexpr int max_rounds = 64;  // where ground lies over ground, a corner may come into the next
   Vec3 open = place;
   if (const auto ground = surface.ground_over(place)) open.z() = *ground;
   Posture posture = body.at(place, orientation.matrix());
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     double rise = 0;
     for (std::size_t i = 0; i < body.corners.size(); ++i) {
       const Vec3 corner = posture.place(i);

@@ -175,7 +175,6 @@ template <class Surface>
 
 template <class Surface, class Sink>
 [[nodiscard]] std::optional<NextPhase> take_step(TrackedRock<Surface, Sink>& rock, Touching& phase) {
-  constexpr double max_quiet = 3;  // [s]; then it rests, even if friction only just fails to hold it
   const Body& body = *rock.body;
   const BodyStep step{body, rock.laws.gravity};
   Motion& motion = rock.motion;
@@ -259,7 +258,7 @@ template <class Surface, class Sink>
     const auto near =
         touched_by(rock.surface, body.at(motion.position, end.matrix()), tolerance::near_touch).contacts();
     const bool is_at_rest = near.size() > 0 && is_held(rock, inertia_of(body, end), near, phase.friction);
-    if (is_at_rest || phase.quiet > max_quiet) return NextPhase{come_to_rest(rock)};
+    if (is_at_rest || phase.quiet > tolerance::max_quiet) return NextPhase{come_to_rest(rock)};
   }
   return std::nullopt;
 }
