@@ -1,6 +1,6 @@
 // The exact rotation of a body against numerical integration and computed periods.
 
-#include "talus/rocks/free_rotation.hpp"
+#include "talus/rocks/attitude.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,11 +49,6 @@ class Integrated {
   Vec3 inertia_;
   Rates now_;
 };
-
-double angle_between(const Orientation& a, const Orientation& b) {
-  const Vec3 x = a.to_world(unit_x) - b.to_world(unit_x), y = a.to_world(unit_y) - b.to_world(unit_y);
-  return std::max(x.norm(), y.norm());
-}
 
 Vec3 random_inertia(Dice& dice) {
   // Of a box, and sometimes of a square or a cube.

@@ -91,7 +91,8 @@ template <class Surface>
 [[nodiscard]] inline std::string rows_up_to(const Followed& path, std::size_t last) {
   std::string lines = "\n";
   for (std::size_t k = last < 6 ? 0 : last - 6; k <= std::min(last, path.log.rows.size() - 1); ++k) {
-    const auto& [state, motion] = path.log.rows[k];
+    const PathState state = path.log.rows[k].state;
+    const Motion& motion = path.log.rows[k].motion;
     lines += std::to_string(k) + ' ' + name(state) + " t " + std::to_string(motion.time) + " p " +
              text(motion.position) + " v " + text(motion.velocity) + " w " + text(motion.spin) + '\n';
   }

@@ -49,8 +49,8 @@ void expect_alike(const Followed& first, const Followed& second, Point&& point, 
   const std::size_t rows = std::min(first.log.rows.size(), second.log.rows.size());
   ASSERT_GE(rows, 2U);
   for (std::size_t i = 0; i < rows; ++i) {
-    const auto& [state, a] = first.log.rows[i];
-    const auto& [other_state, b] = second.log.rows[i];
+    const PathState state = first.log.rows[i].state, other_state = second.log.rows[i].state;
+    const Motion &a = first.log.rows[i].motion, &b = second.log.rows[i].motion;
     const double allowed = tolerance(i, tight);
     if (allowed > too_loose) break;
     ASSERT_LT((point(a.position) - b.position).norm(), allowed)

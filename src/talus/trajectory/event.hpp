@@ -12,9 +12,11 @@
 
 #include "talus/barriers/passage.hpp"
 #include "talus/core/id.hpp"
+#include "talus/core/orientation.hpp"
 #include "talus/rocks/drag.hpp"
 #include "talus/rocks/motion.hpp"
 #include "talus/rocks/parabola.hpp"
+#include "talus/rocks/shape.hpp"
 
 namespace talus {
 
@@ -33,8 +35,18 @@ struct Release {
   const Motion& motion;
 };
 
-/// A flight until something ends it, or a piece of one in a forest. `path`: of the centre; its parameter starts at 0 and goes to `duration`, and is
-/// time unless there is drag.
+/// How a rock with a shape is turned at the time of `motion`, and the spin with which it turns freely until it is told
+/// again: before the release, every contact, arrival and end, after every departure from a barrier, and after every
+/// step on the ground.
+struct Turned {
+  const Motion& motion;
+  const Body& body;
+  const Orientation& orientation;
+  const Vec3& spin;  // of the body, in the frame of the terrain [rad/s]
+};
+
+/// A flight until something ends it, or a piece of one in a forest. `path`: of the centre; its parameter starts at 0
+/// and goes to `duration`, and is time unless there is drag.
 struct Flight {
   const Motion& before;
   const Parabola& path;
@@ -103,12 +115,16 @@ struct End {
   const Motion& motion;
 };
 
+/// Whether anybody listens to a kind of event.
+template <class Sink, class Event>
+inline constexpr bool is_heard = std::invocable<Sink&, const Event&>;
+
 /// Nobody listens.
 struct NoSink {};
 
 template <class Sink, class Event>
 void tell(Sink& sink, const Event& event) {
-  if constexpr (std::invocable<Sink&, const Event&>) sink(event);
+  if constexpr (is_heard<Sink, Event>) sink(event);
 }
 
 }  // namespace event

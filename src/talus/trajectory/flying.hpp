@@ -74,6 +74,10 @@ template <class Surface, class Sink>
   return Flying{};
 }
 
+/// Where a flight ends without a contact, or arrives at a barrier.
+template <class Surface, class Sink>
+void tell_orientation(TrackedRock<Surface, Sink>&, const Flying&) {}
+
 /// Flies to `flight_end`, or to a barrier before it, and returns the next phase; nullopt if the rock is still flying.
 template <class Surface, class Sink, class InAir, class Touch>
 [[nodiscard]] std::optional<Phase> fly_along(TrackedRock<Surface, Sink>& rock, const InAir& phase, const Parabola& path,
@@ -91,6 +95,7 @@ template <class Surface, class Sink, class InAir, class Touch>
       pass_above(rock, *crossing, std::exchange(motion, before));
       continue;
     }
+    tell_orientation(rock, phase);
     const AtBarrier then = meet_barrier(rock, *crossing, start + crossing->t, rock.laws.gravity);
     if (then == AtBarrier::unaffected) {
       motion = before;
@@ -110,6 +115,7 @@ template <class Surface, class Sink, class InAir, class Touch>
   rock.tell(event::Flight{motion, path, flight_end.t, drag});
   rock.advance(path, drag, flight_end.t);
   if (flight_end.contact) return come_down(rock, phase, *flight_end.contact);
+  tell_orientation(rock, phase);
   if (flight_end.exit) return Ended{reason_of(*flight_end.exit)};
   return std::nullopt;
 }

@@ -2,10 +2,13 @@
 // The record of a trajectory while it is computed. A log is reused for rock after rock, and does not allocate once its
 // lists have grown.
 
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "talus/core/id.hpp"
+#include "talus/rocks/attitude.hpp"
 #include "talus/rocks/drag.hpp"
 #include "talus/rocks/motion.hpp"
 #include "talus/rocks/parabola.hpp"
@@ -17,6 +20,14 @@ namespace talus {
 struct PathRow {
   PathState state;
   Motion motion;
+  std::optional<Orientation> orientation;  // of a rock with a shape
+};
+
+/// Of a rock with a shape: in how much of the time that it has flown, and how much of its angular momentum is along the
+/// shortest of its principal axes: 1 for a wheel, 0 for a rod that turns about its length, 1/2 without preference.
+struct SpinAxis {
+  double flown = 0, along_short_axis = 0;  // [s]: of the flights; weighted with the share
+  [[nodiscard]] double share() const { return flown > 0 ? along_short_axis / flown : 0; }
 };
 
 /// A part of a path with constant acceleration, as it was computed: a flight until something ends it, or the part of a
@@ -92,12 +103,27 @@ class RockLog {
     hits.clear();
     passed_above.clear();
     ways = {};
+    attitudes.clear();
+    spin_axis = {};
+    orientation_.reset();
   }
 
   // ---- what happens to the rock ----
   void operator()(const event::Release& release) { row(PathState::projectile, release.motion); }
+  void operator()(const event::Turned& turned) {
+    orientation_ = turned.orientation;
+    const Vec3 momentum = turned.body.inertia.times(turned.orientation.to_body(turned.spin));
+    const double norm = momentum.norm();
+    short_share_ = norm > 0 ? std::abs(momentum.z()) / norm : 0;
+    if (keep_pieces_) attitudes.push_back({turned.motion.time, turned.orientation, turned.spin});
+  }
   void operator()(const event::Flight& flight) {
     const auto& [before, path, duration, drag] = flight;
+    if (orientation_) {
+      const double time = drag.time(duration);
+      spin_axis.flown += time;
+      spin_axis.along_short_axis += short_share_ * time;
+    }
     ways.flown += (path.at(duration) - path.p).norm();
     if (keep_pieces_) pieces.push_back({path, duration, before.time, before.spin, false, {}, drag, {}, {}});
   }
@@ -175,14 +201,18 @@ class RockLog {
   std::vector<Passage> hits;    // of barriers and collectors
   std::vector<Passage> passed_above;
   RockWays ways;
+  std::vector<Attitude> attitudes;  // of a rock with a shape, in the order of time; only with pieces
+  SpinAxis spin_axis;               // of a rock with a shape
 
  private:
   void row(PathState state, const Motion& motion) {
-    if (keep_rows_) rows.push_back({state, motion});
+    if (keep_rows_) rows.push_back({state, motion, orientation_});
   }
 
   bool keep_rows_, keep_pieces_, keep_impacts_ = false;
   std::size_t first_step_ = 0;  // of the next glide
+  std::optional<Orientation> orientation_;
+  double short_share_ = 0;  // SpinAxis: of the momentum now
 };
 
 inline void RockLog::operator()(const event::Glide& glide) {

@@ -126,6 +126,7 @@ void RockRun<Surface, Sink>::release() {
   if (rock_.body) rock_.motion.spin = spin_of_sphere(rock_.rock, *rock_.body, orientation_, spin);
   rock_.outcome.start = rock_.motion;
   rock_.outcome.max_kinetic_energy = rock_.kinetic_energy();
+  if (rock_.body) rock_.tell(event::Turned{rock_.motion, *rock_.body, orientation_, spin});
   rock_.tell(event::Release{rock_.motion});
   if (!has_room_) return enter(Ended{EndReason::at_rest});
   if (rock_.body) return enter(Tumbling{orientation_, spin, rock_.motion.time});

@@ -86,6 +86,7 @@ template <class Surface, class Sink>
                     rock.material_at(first.facet)});
   rock.update_max_energy();
   rock.remember_contact({first.normal, first.facet});
+  rock.tell(event::Turned{motion, body, orientation, leaving});
 
   if (quick <= max_quick && parting_speed(contacts, motion.velocity, leaving) >= rock.leaving_speed) {
     rock.leave(PathState::projectile);

@@ -120,6 +120,9 @@ template <class Surface, class Sink>
       continue;
     }
     const Motion arrived = motion;
+    Touching next = phase;
+    next.orientation = step.orientation_at(crossing->t);
+    rock.tell(event::Turned{arrived, step.body, next.orientation, phase.spin});
     const AtBarrier effect = meet_barrier(rock, *crossing, motion.time, pull);
     if (effect == AtBarrier::unaffected) {
       motion = before;
@@ -127,10 +130,9 @@ template <class Surface, class Sink>
     }
     rock.cover_leg(facet, leg, crossing->t, before, arrived);
     if (effect == AtBarrier::stopped) return Ended{EndReason::stopped_by_barrier};
-    Touching next = phase;
-    next.orientation = step.orientation_at(crossing->t);
     next.spin = spin_after(rock, phase.spin, arrived.spin);
     motion.spin = spin_of_sphere(rock.rock, *rock.body, next.orientation, next.spin);
+    rock.tell(event::Turned{motion, step.body, next.orientation, next.spin});
     rock.leave(PathState::sliding);
     return next;
   }
@@ -240,6 +242,7 @@ template <class Surface, class Sink>
   const BodyLeg way_there{body, leg, dt, start, halfway, start_spin, spin};
   if (auto met = meet_barriers_in_touch(rock, phase, facet, way_there, after)) return NextPhase{*std::move(met)};
   motion = after;
+  rock.tell(event::Turned{motion, body, end, end_spin});
   rock.cover_leg(facet, leg, dt, before, motion);
   rock.update_max_energy();
   if (contacts.size() > 0) rock.remember_contact({contacts[0].normal, facet});

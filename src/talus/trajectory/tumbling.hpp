@@ -229,6 +229,14 @@ template <class Surface, class Sink>
                      flown < tolerance::quick_impact ? phase.quick + 1 : 0);
 }
 
+template <class Surface, class Sink>
+void tell_orientation(TrackedRock<Surface, Sink>& rock, const Tumbling& phase) {
+  if constexpr (event::is_heard<Sink, event::Turned>) {
+    const auto [orientation, spin] = rotation_of(*rock.body, phase).at(rock.motion.time - phase.since);
+    rock.tell(event::Turned{rock.motion, *rock.body, orientation, spin});
+  }
+}
+
 /// The body's spin after a barrier has changed that of the sphere from `before`.
 template <class Surface>
 [[nodiscard]] Vec3 spin_after(const MovingRock<Surface>& rock, const Vec3& spin, const Vec3& before) {
@@ -242,6 +250,7 @@ template <class Surface, class Sink>
   const auto [orientation, spin] = rotation_of(*rock.body, phase).at(motion.time - phase.since);
   const Vec3 left = spin_after(rock, spin, spin_before);
   motion.spin = spin_of_sphere(rock.rock, *rock.body, orientation, left);
+  rock.tell(event::Turned{motion, *rock.body, orientation, left});
   return Tumbling{orientation, left, motion.time};
 }
 
