@@ -124,6 +124,13 @@ void fill(EndpointRow& row, const TableContext& context, const RockRecord& recor
   row.max_ke_J = outcome.max_kinetic_energy;
   row.max_bounce_m = outcome.max_bounce;
   row.ensemble = ensemble_in(context, record);
+  row.a_m = row.b_m = row.c_m = row.short_axis_share = std::nullopt;
+  if (!record.block) return;
+  row.a_m = record.block->axes.x();
+  row.b_m = record.block->axes.y();
+  if (record.block->is_section()) return;
+  row.c_m = record.block->axes.z();
+  row.short_axis_share = record.block->short_axis_share;
 }
 
 void fill(PathEventRow& row, const TableContext& context, const RockRecord& record, std::size_t event,
@@ -139,6 +146,14 @@ void fill(PathEventRow& row, const TableContext& context, const RockRecord& reco
   row.ke_translational_J = translational_energy(record.body, seen.motion);
   row.ke_rotational_J = rotational_energy(record.body, seen.motion);
   row.pe_J = record.body.mass * context.gravity * (position.z() - context.energy_datum);
+  row.qw = row.qx = row.qy = row.qz = std::nullopt;
+  if (!seen.orientation) return;
+  const double w = seen.orientation->w(), sign = w < 0 ? -1 : 1;  // both signs are the same orientation
+  const Vec3 v = sign * seen.orientation->xyz();
+  row.qw = sign * w;
+  row.qx = v.x();
+  row.qy = v.y();
+  row.qz = v.z();
 }
 
 void fill(ImpactRow& row, const TableContext& context, const RockRecord& record, std::uint64_t number,

@@ -54,6 +54,7 @@ struct EndpointRow {
   std::string ground{};  // empty: it left the model, or there is none
   double mass_kg = 0, radius_m = 0, max_ke_J = 0, max_bounce_m = 0;
   std::optional<std::uint64_t> ensemble{};
+  std::optional<double> a_m{}, b_m{}, c_m{}, short_axis_share{};
 
   static constexpr auto columns() {
     using R = EndpointRow;
@@ -84,7 +85,14 @@ struct EndpointRow {
         quantity("max_bounce_m", "m",
                  "maximum bounce height: of the block's lowest point above the ground straight below it",
                  &R::max_bounce_m),
-        key("ensemble", ensemble_meaning, &R::ensemble));
+        key("ensemble", ensemble_meaning, &R::ensemble),
+        quantity("a_m", "m", "length of a block along its longest principal axis; spheres and points: empty", &R::a_m),
+        quantity("b_m", "m", "along the intermediate one", &R::b_m),
+        quantity("c_m", "m", "along the shortest one; in 2D empty, as the next", &R::c_m),
+        quantity("short_axis_share", "",
+                 "of a block: the part of its angular momentum along its shortest axis, mean over the time of its "
+                 "flights: near 1 it rolls as a wheel",
+                 &R::short_axis_share));
   }
 };
 
@@ -97,6 +105,7 @@ struct PathEventRow {
   double time_s = 0;
   std::array<double, 3> position_m{}, velocity_m_s{}, spin_rad_s{};
   double ke_translational_J = 0, ke_rotational_J = 0, pe_J = 0;
+  std::optional<double> qw{}, qx{}, qy{}, qz{};
   [[nodiscard]] double total_J() const { return ke_translational_J + ke_rotational_J + pe_J; }
 
   static constexpr auto columns() {
@@ -116,7 +125,13 @@ struct PathEventRow {
         quantity("wz_rad_s", "rad/s", "z of its spin", &R::spin_rad_s, 2),
         quantity("ke_translational_J", "J", "translational kinetic energy", &R::ke_translational_J),
         quantity("ke_rotational_J", "J", "rotational kinetic energy", &R::ke_rotational_J),
-        quantity("pe_J", "J", "potential energy above the datum", &R::pe_J));
+        quantity("pe_J", "J", "potential energy above the datum", &R::pe_J),
+        quantity("qw", "",
+                 "how a block is turned: w, 0 or more, of the quaternion from its principal axes, the longest along x, "
+                 "to the axes of the coordinates; spheres and points: empty",
+                 &R::qw),
+        quantity("qx", "", "x of it", &R::qx), quantity("qy", "", "y of it", &R::qy),
+        quantity("qz", "", "z of it", &R::qz));
   }
 };
 

@@ -34,10 +34,14 @@ Release release_of(const Model& model, const Surface& surface, const Draws& draw
                                                                 : fall_line(surface, place);
   Release release = release_at(seeder, place, direction, draws, start.given);
   if (has_extent(model.laws.model)) give_shape(release, seeder, draws, start.given, own);
-  const ClearPlace clear =
-      release.shape != nullptr
-          ? clear_place(surface, place, body_of(*release.shape, release.rock), release.orientation)
-          : clear_place(surface, place, reach_of(model.laws.model, release.rock));
+  ClearPlace clear;
+  if (release.shape != nullptr) {
+    const Body body = body_of(*release.shape, release.rock);
+    record.block = BlockRecord{axes_of(body), body.inertia};
+    clear = clear_place(surface, place, body, release.orientation);
+  } else {
+    clear = clear_place(surface, place, reach_of(model.laws.model, release.rock));
+  }
   if (clear.fit != Fit::as_given) {
     release.motion.position.z() = clear.z;
     // A sphere placed at a height above the surface is meant to touch it when lifted: no cause for a warning.

@@ -97,7 +97,9 @@ class RocksInProgress {
       lanes_.add(run.glide(), run.glide_trace(), place);
       return;
     }
-    rocks_[place].record.outcome = run.outcome();
+    RockRecord& record = rocks_[place].record;
+    record.outcome = run.outcome();
+    if (record.block) record.block->short_axis_share = rocks_[place].log.spin_axis.share();
     is_done_[place] = true;
     for (; seen_ < next_ && is_done_[seen_ % rocks_.size()]; ++seen_) {
       const RockInProgress<Surface>& rock = rocks_[seen_ % rocks_.size()];
@@ -122,15 +124,41 @@ class RocksInProgress {
 
 }  // namespace
 
-Vec3 start_of(const Model& whole, std::uint64_t rock) {
+namespace {
+
+/// A rock that is only released.
+struct Released {
+  RockShape own;  // if only this rock has it
+  Release release;
+};
+
+void release_into(Released& released, const Model& whole, std::uint64_t rock) {
   const Model& model = whole.of_rock(rock);
   const Seeder& seeder = seeder_of(model, rock);
   const Draws draws({model.seed, model.sampling, seeder.first_rock, seeder.rocks}, rock);
   RockRecord record;
-  RockShape shape;
-  return std::visit(
-      [&](const auto& surface) { return release_of(model, surface, draws, seeder, record, shape).motion.position; },
+  std::visit(
+      [&](const auto& surface) { released.release = release_of(model, surface, draws, seeder, record, released.own); },
       *whole.surface);
+}
+
+}  // namespace
+
+Vec3 start_of(const Model& model, std::uint64_t rock) {
+  Released released;
+  release_into(released, model, rock);
+  return released.release.motion.position;
+}
+
+std::optional<RockBlock> block_of(const Model& model, std::uint64_t rock) {
+  Released released;
+  release_into(released, model, rock);
+  const auto& [own, release] = released;
+  if (release.shape == nullptr) return std::nullopt;
+  const Body body = body_of(*release.shape, release.rock);
+  RockBlock block{{}, release.shape->triangles, body.inertia};
+  for (const Vec3& corner : body.corners) block.corners.push_back(body.scale * corner);
+  return block;
 }
 
 /// The rocks in progress, for the model's kind of surface.

@@ -2,9 +2,13 @@
 // Simulates the rocks of a campaign by their numbers: each trajectory is a pure function of (model, number). Replay and
 // campaign share it.
 
+#include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "talus/campaign/model.hpp"
 #include "talus/campaign/shard.hpp"
@@ -28,6 +32,16 @@ struct SimulationOrder {
 /// The centre of a rock at its release, for pictures of release points; local [m]. In a section whose vertices vary: on
 /// the given one.
 [[nodiscard]] Vec3 start_of(const Model& model, std::uint64_t rock);
+
+/// A rock with a shape, in its own frame: its principal axes through its centre, the longest along x.
+struct RockBlock {
+  std::vector<Vec3> corners;                            // [m]
+  std::vector<std::array<std::uint32_t, 3>> triangles;  // of the hull, counter-clockwise from outside; none in 2D
+  Vec3 inertia;                                         // principal moments [kg m2]
+};
+
+/// The block of a rock, as it is drawn for its release; nullopt: it has no shape.
+[[nodiscard]] std::optional<RockBlock> block_of(const Model& model, std::uint64_t rock);
 
 /// Simulates rocks of one model; each thread needs its own.
 class Simulator {

@@ -34,7 +34,7 @@ class CsvMemory {
     std::array<char, 31> digits{};
     std::uint8_t length = 0;
   };
-  std::array<Cell, 16> cells_;
+  std::array<Cell, 32> cells_;
 };
 
 class CsvRow {

@@ -3,12 +3,22 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "talus/core/bytes.hpp"
 #include "talus/core/id.hpp"
 #include "talus/trajectory/rock_path.hpp"
 
 namespace talus {
+
+/// Of a rock with a shape.
+struct BlockRecord {
+  Vec3 axes;                    // lengths along its principal axes, the longest first; in 2D the last is 0 [m]
+  Vec3 inertia;                 // principal moments, along its axes x, y and z [kg m2]
+  double short_axis_share = 0;  // SpinAxis::share(), over its trajectory
+
+  [[nodiscard]] bool is_section() const { return axes.z() == 0; }
+};
 
 /// In local coordinates (terrain/local_frame.hpp).
 struct RockRecord {
@@ -17,6 +27,7 @@ struct RockRecord {
   SourceId source;
   Rock body;
   RockOutcome outcome;
+  std::optional<BlockRecord> block;
   bool was_lifted = false;  // its release was in the ground, and was lifted, lowered from a ceiling or caught
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -63,6 +64,20 @@ struct Body {
   return {shape.corners,       scale,
           rock.mass,           rock.mass * scale * scale * shape.gyration,
           scale * shape.reach, scale * std::max(inner, 0.0)};
+}
+
+/// The lengths of a body along its principal axes, the longest first [m].
+[[nodiscard]] inline Vec3 axes_of(const Body& body) {
+  Vec3 low, high;  // the centre is within
+  for (const Vec3& corner : body.corners) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], corner[k]);
+      high[k] = std::max(high[k], corner[k]);
+    }
+  }
+  std::array<double, 3> lengths{high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+  std::ranges::sort(lengths, std::greater());
+  return body.scale * Vec3{lengths[0], lengths[1], lengths[2]};
 }
 
 }  // namespace talus
