@@ -138,18 +138,19 @@ TEST_P(StoredPaths, MotionAlongTheGroundIsNear) {
       EXPECT_LE((part.velocity(s) - leg.ends.end_velocity).norm(),
                 StoreTolerance::velocity * largest + 2 * StoreStep::velocity);
       const double spin_change = (part.ends.end_spin - part.spin).norm() / part.duration;
-      EXPECT_LE((part.spin_at(s) - leg.ends.end_spin).norm(),
-                StoreTolerance::velocity * largest_spin + 2 * StoreStep::velocity / rock.record.body.radius +
-                    StoreStep::time * spin_change);
+      EXPECT_LE((part.spin_at(s) - leg.ends.end_spin).norm(), StoreTolerance::velocity * largest_spin +
+                                                                  2 * StoreStep::velocity / rock.record.body.radius +
+                                                                  StoreStep::time * spin_change);
     });
   }
 }
 
 TEST_P(StoredPaths, PiecesJoinAndAreCompact) {
-  std::size_t bytes = 0, events = 0, parts = 0;
+  std::size_t bytes = 0, events = 0, parts = 0, attitudes = 0;
   for (const Both& rock : rocks_) {
     bytes += rock.bytes.size();
     events += rock.log.rows.size();
+    attitudes += rock.stored.attitudes.size();
     parts += static_cast<std::size_t>(std::ranges::count_if(rock.stored.pieces, &PathPiece::on_ground));
     double time = 0;
     Vec3 place = rock.stored.record.outcome.start.position;
@@ -163,7 +164,30 @@ TEST_P(StoredPaths, PiecesJoinAndAreCompact) {
     EXPECT_LE((place - rock.record.outcome.end.position).norm(), StoreStep::place);
   }
   EXPECT_LT(static_cast<double>(bytes), GetParam().most_bytes * static_cast<double>(events));
-  EXPECT_LT(static_cast<double>(bytes), 40 * static_cast<double>(events + parts));
+  EXPECT_LT(static_cast<double>(bytes), 40 * static_cast<double>(events + parts) + 64 * static_cast<double>(attitudes));
+}
+
+TEST_P(StoredPaths, TurnsAreNear) {
+  for (const Both& rock : rocks_) {
+    const auto &stored = rock.stored.attitudes, &was = rock.log.attitudes;
+    ASSERT_EQ(rock.stored.record.block.has_value(), rock.record.block.has_value());
+    ASSERT_EQ(stored.empty(), was.empty());
+    if (was.empty()) continue;
+    const BlockRecord &is = *rock.stored.record.block, &block = *rock.record.block;
+    EXPECT_EQ(is.axes, block.axes);
+    EXPECT_EQ(is.inertia, block.inertia);
+    EXPECT_EQ(is.short_axis_share, block.short_axis_share);
+    for (const Attitude& attitude : was) {
+      const Orientation turned = orientation_at(stored, is.inertia, attitude.time);
+      EXPECT_LE(angle_between(turned, attitude.orientation), max_turn_left_out + 1e-7);
+    }
+    for (std::size_t k = 0; k < rock.log.rows.size(); ++k) {
+      ASSERT_TRUE(rock.stored.rows[k].orientation && rock.log.rows[k].orientation);
+      EXPECT_LE(angle_between(*rock.stored.rows[k].orientation, *rock.log.rows[k].orientation),
+                max_turn_left_out + 1e-4);  // rows on the ground have rounded times
+    }
+    EXPECT_LT(stored.size(), was.size());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Store, StoredPaths, ::testing::ValuesIn(models),
@@ -201,8 +225,8 @@ TEST(PathCode, OfNumbersBeyondAnyRunAreRefused) {
       const std::size_t place = rock.bytes.find(std::string(reinterpret_cast<const char*>(&number), sizeof number));
       if (number == 0 || place == std::string::npos) continue;
       ++tried;
-      for (const double wrong : {1e300, 1e31, std::numeric_limits<double>::infinity(),
-                                 std::numeric_limits<double>::quiet_NaN()}) {
+      for (const double wrong :
+           {1e300, 1e31, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
         std::string bytes = rock.bytes;
         std::memcpy(bytes.data() + place, &wrong, sizeof wrong);
         EXPECT_THROW(decode_path(bytes, gravity, into), BadBytes) << number << " as " << wrong;

@@ -34,6 +34,7 @@ inline const std::vector<NamedModel> models{
      "maungawhau/crater.toml",
      {"material.0.forest_drag_kg_s=400", "material.0.forest_height_m=10"},
      120},
+    {"Blocks", "blocks/blocks.toml", {}, 120},
 };
 
 inline Model model_of(const NamedModel& named) {

@@ -18,6 +18,13 @@ class Orientation {
     w_ /= norm;
     v_ /= norm;
   }
+  /// Of norm 1 but for rounding, which is kept.
+  [[nodiscard]] static constexpr Orientation of_unit(double w, const Vec3& xyz) {
+    Orientation orientation;
+    orientation.w_ = w;
+    orientation.v_ = xyz;
+    return orientation;
+  }
   /// The turn about a rotation vector, by its length [rad].
   [[nodiscard]] static Orientation of_turn(const Vec3& turn) {
     const double angle = turn.norm();

@@ -31,6 +31,7 @@ enum RockFlag : std::uint32_t {
   end_has_no_velocity = 0x200,
   end_has_spin = 0x400,
   end_has_no_spin = 0x800,
+  rock_is_block = 0x1000,  // its axes, moments and attitudes are given
 };
 
 /// Tags of a row: state and where its motion is.

@@ -29,8 +29,13 @@ namespace talus {
 struct StoredTrajectory {
   RockRecord record;
   std::vector<PathPiece> pieces;
-  std::vector<PathRow> rows;  // of paths.csv
+  std::vector<PathRow> rows;        // of paths.csv
+  std::vector<Attitude> attitudes;  // of a rock with a shape, with the bits of the run
 };
+
+/// Attitudes that a free turn from the one before tells within this angle are not stored [rad]: most of those on the
+/// ground.
+inline constexpr double max_turn_left_out = 0.02;
 
 /// Makes the bytes of rocks, one after the other. Expects logs with rows and pieces.
 class PathEncoder {
@@ -44,6 +49,7 @@ class PathEncoder {
 
  private:
   void put_facts(const RockRecord& record);
+  void put_attitudes(const BlockRecord& block, const RockLog& log);
   void put_path(const RockRecord& record, const RockLog& log);
   void put_row(const PathRow& row, int where);
   void put_flight(const PathPiece& flight);
@@ -54,13 +60,14 @@ class PathEncoder {
   Vec3 gravity_;
   const StoreGrid& grid_;
   CellSet cells_;
-  ByteBuffer facts_, items_;    // of the present rock
-  bool is_planar_ = false;      // it moves in a plane y = 0, and spins about y
-  Motion now_;                  // as a reader has it after these items
-  double spin_step_ = 0;        // [rad/s]
-  double rate_ = 0;             // of the last flight with a path of its own
-  std::vector<Motion> ground_;  // of legs not yet put
+  ByteBuffer facts_, attitudes_, items_;  // of the present rock
+  bool is_planar_ = false;                // it moves in a plane y = 0, and spins about y
+  Motion now_;                            // as a reader has it after these items
+  double spin_step_ = 0;                  // [rad/s]
+  double rate_ = 0;                       // of the last flight with a path of its own
+  std::vector<Motion> ground_;            // of legs not yet put
   std::vector<std::size_t> ends_;
+  std::vector<std::size_t> kept_;  // of attitudes
 };
 
 /// The radius in a rock's bytes [m]. Throws BadBytes.

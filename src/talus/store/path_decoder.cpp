@@ -1,5 +1,6 @@
 #include "talus/store/path_code.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "talus/rocks/energy.hpp"
@@ -14,6 +15,29 @@ void expect_possible(const Motion& motion, const Rock& body) {
   expect_bytes(motion.position.abs().largest() <= largest_number && std::abs(motion.time) <= largest_number &&
                    kinetic_energy(body, motion) <= largest_number,
                "a motion is beyond any run");
+}
+
+void read_block(ByteReader& in, StoredTrajectory& rock) {
+  BlockRecord& block = rock.record.block.emplace();
+  block.axes = get_vector<double>(in, false);
+  block.inertia = get_vector<double>(in, false);
+  block.short_axis_share = get_number<double>(in);
+  const auto [least, most] = std::minmax({block.inertia.x(), block.inertia.y(), block.inertia.z()});
+  expect_bytes(least > 0 && least >= 1e-9 * most, "a block has no valid moments");
+  const std::uint64_t count = get_varint(in);
+  constexpr std::uint64_t bytes_each = 8 * sizeof(double);
+  expect_bytes(count > 0 && count <= in.left() / bytes_each, "a block has no valid number of attitudes");
+  rock.attitudes.reserve(count);
+  double last = 0;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const auto time = get_number<double>(in), w = get_number<double>(in);
+    const Vec3 v = get_vector<double>(in, false), spin = get_vector<double>(in, false);
+    expect_bytes(time >= last, "attitudes are not in the order of time");
+    const double norm = w * w + v.squared_norm();
+    expect_bytes(std::abs(norm - 1) < 1e-6, "an attitude is not a turn");
+    expect_bytes(most * spin.squared_norm() <= largest_number, "a block turns faster than in any run");
+    rock.attitudes.push_back({last = time, Orientation::of_unit(w, v), spin});
+  }
 }
 
 /// Reads the items of a path.
@@ -138,6 +162,7 @@ double radius_in(std::string_view bytes) {
 void decode_path(std::string_view bytes, const Vec3& gravity, StoredTrajectory& rock) {
   rock.pieces.clear();
   rock.rows.clear();
+  rock.attitudes.clear();
   RockRecord& record = rock.record;
   record = {};
   ByteReader in(bytes);
@@ -175,6 +200,8 @@ void decode_path(std::string_view bytes, const Vec3& gravity, StoredTrajectory& 
   if (has(end_has_velocity)) end.velocity = get_vector<double>(in, planar);
   if (has(end_has_spin)) end.spin = get_spin<double>(in, planar);
 
+  if (has(rock_is_block)) read_block(in, rock);
+
   Decoder decoder(in, gravity, planar, rock);
   const Motion last = decoder.read();
   if (!has(end_has_place)) end.position = last.position;
@@ -183,6 +210,9 @@ void decode_path(std::string_view bytes, const Vec3& gravity, StoredTrajectory& 
   if (!has(end_has_spin) && !has(end_has_no_spin)) end.spin = last.spin;
   for (const Motion* motion : {&start, &end}) expect_possible(*motion, record.body);
   decoder.finish(end);
+  if (rock.attitudes.empty()) return;
+  for (PathRow& row : rock.rows)
+    row.orientation = orientation_at(rock.attitudes, record.block->inertia, row.motion.time);
 }
 
 }  // namespace talus

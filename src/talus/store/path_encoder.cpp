@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "talus/store/attitude_choice.hpp"
 #include "talus/store/ground_parts.hpp"
 
 namespace talus {
@@ -57,6 +58,10 @@ void PathEncoder::encode(const RockRecord& record, const RockLog& log, std::stri
   put_path(record, log);
   put_facts(record);
   out += facts_.view();
+  if (record.block) {
+    put_attitudes(*record.block, log);
+    out += attitudes_.view();
+  }
   out += items_.view();
 }
 
@@ -78,6 +83,7 @@ void PathEncoder::put_facts(const RockRecord& record) {
   set(end_has_no_velocity, are_same_bits(end.velocity, Vec3{}));
   set(end_has_velocity, (flags & end_has_no_velocity) == 0 && !are_same_bits(end.velocity, now_.velocity));
   set(end_has_no_spin, are_same_bits(end.spin, Vec3{}));
+  set(rock_is_block, record.block.has_value());
   set(end_has_spin, (flags & end_has_no_spin) == 0 && !are_same_bits(end.spin, now_.spin));
 
   facts_.put_varint(flags);
@@ -96,6 +102,23 @@ void PathEncoder::put_facts(const RockRecord& record) {
   if ((flags & end_has_time) != 0) facts_.put(end.time);
   if ((flags & end_has_velocity) != 0) facts_.put_vector<double>(end.velocity, is_planar_);
   if ((flags & end_has_spin) != 0) facts_.put_spin<double>(end.spin, is_planar_);
+}
+
+void PathEncoder::put_attitudes(const BlockRecord& block, const RockLog& log) {
+  attitudes_.clear();
+  attitudes_.make_room();
+  for (const Vec3& v : {block.axes, block.inertia}) attitudes_.put_vector<double>(v, false);
+  attitudes_.put(block.short_axis_share);
+  divide_into_turns(log.attitudes, block.inertia, max_turn_left_out, kept_);
+  attitudes_.put_varint(kept_.size());
+  for (const std::size_t k : kept_) {
+    const auto& [time, orientation, spin] = log.attitudes[k];
+    attitudes_.make_room();
+    attitudes_.put(time);
+    attitudes_.put(orientation.w());
+    attitudes_.put_vector<double>(orientation.xyz(), false);
+    attitudes_.put_vector<double>(spin, false);
+  }
 }
 
 void PathEncoder::put_path(const RockRecord& record, const RockLog& log) {

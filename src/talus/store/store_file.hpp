@@ -11,7 +11,7 @@
 namespace talus {
 
 inline constexpr std::string_view store_magic = "talus trajectory";
-inline constexpr std::uint32_t store_format = 1;
+inline constexpr std::uint32_t store_format = 2;  // 1: the same without blocks
 
 /// A rock as bytes, which belong to others: first its cells as runs (cell_set.hpp), then its path (path_code.hpp).
 struct StoredRock {

@@ -92,7 +92,8 @@ struct TrajectoryStore::Content {
     expect_bytes(begin == store_magic.substr(0, begin.size()), "it is not a store of trajectories");
     expect_bytes(bytes.size() == preamble_size, "it was cut short");
     ByteReader preamble(std::string_view(bytes).substr(store_magic.size()));
-    expect_bytes(preamble.get<std::uint32_t>() == store_format, "another version of talus wrote it");
+    const auto format = preamble.get<std::uint32_t>();
+    expect_bytes(format > 0 && format <= store_format, "another version of talus wrote it");
     const auto checksum = preamble.get<std::uint32_t>();
     const auto size = preamble.get<std::uint64_t>();
     expect_bytes(size <= file.size() - preamble_size, "it was cut short");
