@@ -8,7 +8,7 @@ import numpy as np
 
 from .shapes import check, numbers
 
-__all__ = ["Motion", "Trajectory"]
+__all__ = ["Block", "Motion", "Trajectory"]
 
 
 class Motion(NamedTuple):
@@ -20,6 +20,17 @@ class Motion(NamedTuple):
     """[m/s]"""
     spin: np.ndarray
     """[rad/s]"""
+
+
+class Block(NamedTuple):
+    """A rock with a shape, in its own frame: its principal axes through its centre, the longest along x."""
+
+    corners: np.ndarray
+    """[m], shape (n, 3)"""
+    triangles: np.ndarray
+    """of its hull: numbers of corners, counter-clockwise from outside, shape (m, 3); none in 2D"""
+    moments: np.ndarray
+    """principal moments of inertia [kg m2], shape (3,)"""
 
 
 class Trajectory:
@@ -68,6 +79,25 @@ class Trajectory:
         times = numbers("time", time)
         check("time", times, -np.inf)
         return Motion(*(each.reshape(times.shape + (3,)) for each in self._core.at(times.reshape(-1))))
+
+    @property
+    def block(self) -> Block | None:
+        """The rock's shape; None of a sphere or a point."""
+        parts = self._core.block()
+        return None if parts is None else Block(*parts)
+
+    @property
+    def orientation(self) -> np.ndarray | None:
+        """How the block is turned at the times of `events`: quaternions (w, x, y, z) from its own frame to the axes of the
+        coordinates, shape (n, 4); None of a sphere or a point."""
+        return self.orientation_at(self.events["time_s"])
+
+    def orientation_at(self, time: Any) -> np.ndarray | None:
+        """How the block is turned at times [s] since the release, a number or an array: as `orientation`."""
+        times = numbers("time", time)
+        check("time", times, -np.inf)
+        turns = self._core.orientation_at(times.reshape(-1))
+        return None if turns is None else turns.reshape(times.shape + (4,))
 
     def __repr__(self) -> str:
         return f"<talus.Trajectory of rock {self.rock}: {self.duration:.2f} s, {self.end_reason}>"

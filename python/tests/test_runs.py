@@ -218,3 +218,42 @@ def test_one_rock_can_be_followed(slope):
     assert steps.max() < 1.1 * np.linalg.norm(fine.velocity, axis=1).max() * (path.duration + 2) / 499
     with pytest.raises(talus.BadInput, match="there is no rock 200"):
         talus.follow(slope, rock=200)
+
+
+def test_how_a_block_is_turned_is_known_at_any_time(tmp_path):
+    project = talus.Project(
+        folder=tmp_path, analysis=talus.Analysis(model="rigid_body"),
+        terrain=talus.Terrain(section=[[0, 60], [80, 0], [400, 0]], width_m=200),
+        shape=[talus.Shape.box(1.2, 0.9, 0.6, name="slab")],
+        material=[talus.Material(name="Scree", normal_restitution=0.35, dynamic_friction=0.6)],
+        seeder=[talus.Seeder(name="Crest", position=[2, 100], height_above_m=3, mass_kg=1500, rocks=20, shape="slab")],
+        output=talus.Output(report=False))
+    result = talus.run(project)
+    assert np.all(result.end_points["short_axis_share"] >= 0) and np.all(result.end_points["short_axis_share"] <= 1)
+    assert np.allclose(result.end_points["b_m"] / result.end_points["a_m"], 0.9 / 1.2)
+    path = talus.follow(project, rock=3)
+    events = path.events
+    given = np.stack([events[name] for name in ("qw", "qx", "qy", "qz")], axis=1)
+    turns = path.orientation
+    assert turns.shape == (len(events), 4)
+    assert np.allclose(np.linalg.norm(turns, axis=1), 1)
+    # The same orientation, of either sign, but on the ground, where it turns on in steps.
+    flown = events["state"] == "projectile"
+    assert np.allclose(np.abs(np.sum(turns * given, axis=1))[flown], 1, atol=1e-9)
+    block = path.block
+    assert block.corners.shape == (8, 3) and block.triangles.shape[1] == 3 and block.moments.shape == (3,)
+    assert np.prod(np.ptp(block.corners, axis=0)) == pytest.approx(path.mass / 2700)
+
+    def lowest(k):
+        w, v = turns[k, 0], turns[k, 1:]
+        t = 2 * np.cross(v, block.corners)
+        corners = block.corners + w * t + np.cross(v, t) + [events[axis][k] for axis in ("x_m", "y_m", "z_m")]
+        ground = np.where(corners[:, 0] < 80, 60 - 0.75 * corners[:, 0], 0)
+        return np.min(corners[:, 2] - ground)
+
+    struck = np.flatnonzero(events["state"] == "impact")
+    assert len(struck) > 3
+    assert max(abs(lowest(k)) for k in struck) < 2e-3
+    assert path.orientation_at(0.1).shape == (4,)
+    sphere = talus.follow(project.changed(analysis={"model": "rigid_sphere"}), rock=3)
+    assert sphere.orientation is None and sphere.block is None
