@@ -96,10 +96,12 @@ TEST(SettingNumber, RefusesWhatCannotBeVaried) {
             "normal_restitutoin). Did you mean normal_restitution?");
   EXPECT_EQ(refusal_of("terrain.width_m"),
             "study.toml:3: \"terrain.width_m\" cannot be varied (a study varies numbers of [[material]] and "
-            "[analysis], sizes and velocities of [[seeder]], and capacity_kJ of [[barrier]])");
+            "[analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b of [[shape]], and capacity_kJ of "
+            "[[barrier]])");
   EXPECT_EQ(refusal_of("analysis.max_steps"),
             "study.toml:3: \"analysis.max_steps\" cannot be varied (a study varies numbers of [[material]] and "
-            "[analysis], sizes and velocities of [[seeder]], and capacity_kJ of [[barrier]])");
+            "[analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b of [[shape]], and capacity_kJ of "
+            "[[barrier]])");
   EXPECT_EQ(refusal_of("seeder.0.volume_m3"),
             "study.toml:3: \"seeder.0.volume_m3\" is not given in the project (a study varies numbers that are). Give "
             "it a value there");
@@ -151,6 +153,37 @@ TEST(PreparedSite, GivesTheRocksOfARunOfTheSameProject) {
     EXPECT_EQ(outcome.ends[rock].mass, 250);
   }
   EXPECT_GT(outcome.crossings.size(), 0U);
+}
+
+// The ratios of blocks and of sections, of a shape and of one in a group.
+TEST(PreparedSite, VariesTheShapesOfRocks) {
+  const std::string bodies = "[analysis]\nmodel = \"rigid_body\"\n" +
+                             replaced(slope, "mass_kg = 100", "mass_kg = 100\nshape = \"Mixed\"") +
+                             "[[shape]]\nname = \"Mixed\"\nof = [\"Slab\", \"square\"]\n"
+                             "[[shape]]\nname = \"Slab\"\nb_over_a = 0.9\n";
+  std::string in_3d = bodies;
+  for (const auto& [in_section, on_terrain] :
+       {std::pair("100, -10]]", "100, -10]]\nwidth_m = 20"), std::pair("= 0.9\n", "= 0.9\nc_over_b = 0.8\n"),
+        std::pair("position = [1, 5]", "position = [1, 10, 5]"), std::pair("line = 8", "line = [[8, 0], [8, 20]]"),
+        std::pair("\"square\"", "\"cube\"")})
+    in_3d = replaced(in_3d, in_section, on_terrain);
+  for (const std::string& text : {bodies, in_3d}) {
+    const PreparedSite site = site_of(text);
+    const SetOutcome outcome = site.run(std::vector{number_of(site.project(), "shape.Slab.b_over_a")}, {0.5});
+    project::Project project = project_of(text);
+    project.shapes[1].b_over_a->mean = 0.5;
+    Problems warnings;
+    const Model model = project::build_model(project, warnings);
+    Simulator simulator(model);
+    ASSERT_EQ(outcome.ends.size(), 20U);
+    int slabs = 0;
+    for (std::uint64_t rock = 0; rock < 20; ++rock) {
+      const RockRecord record = simulator.simulate(rock, false);
+      EXPECT_EQ(outcome.ends[rock].end, model.frame.global_from_local(record.outcome.end.position));
+      slabs += std::abs(record.block->axes.y() / record.block->axes.x() - 0.5) < 0.02 ? 1 : 0;
+    }
+    EXPECT_GT(slabs, 3);
+  }
 }
 
 TEST(PreparedSite, GivesTheSameBitsOnAnyNumberOfThreads) {

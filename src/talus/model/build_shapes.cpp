@@ -68,31 +68,51 @@ std::vector<Vec2> outline_of(const Shape& shape) {
 /// Sections whose ratio is random are a list of so many quantiles.
 constexpr int section_quantiles = 64;
 
-RockKind section_kind(const Shape& shape) {
-  RockKind kind;
-  if (!shape.has_ratios()) {
-    kind.hulls.push_back(section_shape(outline_of(shape)));
-    return kind;
-  }
+std::vector<RockShape> sections_of_ratio(const Shape& shape) {
+  std::vector<RockShape> sections;
   const Sampler ratio = sampler_of("b_over_a", b_over_a_of(shape));
   const int count = ratio.is_constant() ? 1 : section_quantiles;
   for (int k = 0; k < count; ++k) {
     const double b_over_a = ratio.draw((k + 0.5) / count);
-    kind.hulls.push_back(section_shape(shape.style == ShapeStyle::box
-                                           ? rectangle_outline(b_over_a)
-                                           : superellipse_outline(b_over_a, shape.power.value_or(2))));
+    sections.push_back(section_shape(shape.style == ShapeStyle::box
+                                         ? rectangle_outline(b_over_a)
+                                         : superellipse_outline(b_over_a, shape.power.value_or(2))));
   }
-  return kind;
+  return sections;
+}
+
+AxisRatios ratios_of(const Shape& shape) {
+  return {sampler_of("b_over_a", b_over_a_of(shape)), sampler_of("c_over_b", c_over_b_of(shape))};
 }
 
 RockKind block_kind(const Shape& shape) {
   const bool is_angular = shape.style == ShapeStyle::angular;
   const auto corners = shape.corners.value_or(is_angular ? corners_of_angular : corners_of_rounded);
   RockKind kind;
-  kind.stretch = AxisRatios{sampler_of("b_over_a", b_over_a_of(shape)), sampler_of("c_over_b", c_over_b_of(shape))};
+  kind.stretch = ratios_of(shape);
   kind.hulls = shape.style == ShapeStyle::box ? std::vector{regular_shape(RegularSolid::cube)}
                                               : irregular_balls(static_cast<int>(corners));
   return kind;
+}
+
+/// A shape, or one of a group; null for a sphere.
+struct ShapePart {
+  const Shape* shape;
+  double share;  // of the rocks
+};
+
+/// None if all rocks are spheres.
+std::vector<ShapePart> parts_of_shape(const Project& project, const std::string& name) {
+  const Shape* const shape = project.shape_named(name);
+  if (shape == nullptr) return {};
+  if (shape->of.empty()) return {{shape, 1}};
+  const std::vector<double> equal(shape->of.size(), 1), shares = shape->shares.value_or(equal);
+  const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+  std::vector<ShapePart> parts;
+  for (std::size_t k = 0; k < shape->of.size(); ++k) {
+    if (shares[k] / all > 0) parts.push_back({project.shape_named(shape->of[k]), shares[k] / all});
+  }
+  return parts;
 }
 
 class ShapeBuilder {
@@ -102,19 +122,10 @@ class ShapeBuilder {
 
   [[nodiscard]] RockShapes build(const std::string& name) {
     RockShapes shapes;
-    const Shape* const shape = project_.shape_named(name);
-    if (shape == nullptr) return shapes;  // spheres
-    if (shape->of.empty()) {
-      shapes.kinds.push_back(kind_of(*shape));
-      return shapes;
-    }
-    const std::vector<double> equal(shape->of.size(), 1), shares = shape->shares.value_or(equal);
-    const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
-    for (std::size_t k = 0; k < shape->of.size(); ++k) {
-      const Shape* const part = project_.shape_named(shape->of[k]);
-      RockKind kind = part == nullptr ? RockKind{} : kind_of(*part);
-      kind.share = shares[k] / all;
-      if (kind.share > 0) shapes.kinds.push_back(std::move(kind));
+    for (const auto& [shape, share] : parts_of_shape(project_, name)) {
+      RockKind kind = shape == nullptr ? RockKind{} : kind_of(*shape);
+      kind.share = share;
+      shapes.kinds.push_back(std::move(kind));
     }
     return shapes;
   }
@@ -122,10 +133,13 @@ class ShapeBuilder {
  private:
   [[nodiscard]] RockKind kind_of(const Shape& shape) {
     try {
-      if (project_.is_2d()) return section_kind(shape);
-      if (shape.has_ratios()) return block_kind(shape);
+      if (shape.has_ratios() && !project_.is_2d()) return block_kind(shape);
       RockKind kind;
-      if (!shape.scan.empty()) {
+      if (shape.has_ratios()) {
+        kind.hulls = sections_of_ratio(shape);
+      } else if (project_.is_2d()) {
+        kind.hulls.push_back(section_shape(outline_of(shape)));
+      } else if (!shape.scan.empty()) {
         kind.hulls.push_back(scanned_block(project_, shape, report_, warnings_));
       } else if (shape.solid != Solid::none) {
         kind.hulls.push_back(solid_shape(shape.solid));
@@ -154,6 +168,21 @@ class ShapeBuilder {
 
 RockShapes build_shapes(const Project& project, const std::string& name, std::string& report, Problems& warnings) {
   return ShapeBuilder(project, report, warnings).build(name);
+}
+
+RockShapes with_ratios(const Project& project, const std::string& name, RockShapes shapes) {
+  const std::vector<ShapePart> parts = parts_of_shape(project, name);
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const Shape* const shape = parts[k].shape;
+    if (shape == nullptr || !shape->has_ratios()) continue;
+    RockKind& kind = shapes.kinds[k];
+    if (project.is_2d()) {
+      kind.hulls = sections_of_ratio(*shape);
+    } else {
+      kind.stretch = ratios_of(*shape);
+    }
+  }
+  return shapes;
 }
 
 ReleaseTurn release_turn(const Project& project, const Seeder& seeder) {

@@ -14,6 +14,9 @@ namespace talus::project {
 [[nodiscard]] RockShapes build_shapes(const Project& project, const std::string& name, std::string& report,
                                       Problems& warnings);
 
+/// `shapes`, built for the same shape, with the ratios of axes that the project gives now.
+[[nodiscard]] RockShapes with_ratios(const Project& project, const std::string& name, RockShapes shapes);
+
 [[nodiscard]] ReleaseTurn release_turn(const Project& project, const Seeder& seeder);
 
 }  // namespace talus::project

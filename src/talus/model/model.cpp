@@ -9,6 +9,7 @@
 #include "talus/model/build_ensembles.hpp"
 #include "talus/model/build_ground.hpp"
 #include "talus/model/build_seeders.hpp"
+#include "talus/model/build_shapes.hpp"
 #include "talus/model/build_terrain.hpp"
 #include "talus/model/check_releases.hpp"
 #include "talus/model/drawn.hpp"
@@ -222,7 +223,9 @@ void set_properties(const Project& project, Model& model) {
   model.laws = laws_of(project);
   for (const Seeder& given : project.seeders) {
     for (talus::Seeder& seeder : model.seeders) {
-      if (seeder.name == given.name) set_sizes_and_velocities(given, seeder);
+      if (seeder.name != given.name) continue;
+      set_sizes_and_velocities(given, seeder);
+      if (!seeder.shapes->kinds.empty()) seeder.shapes = with_ratios(project, given.shape, *seeder.shapes);
     }
   }
   for (std::size_t k = 0; k < model.barriers.size(); ++k) model.barriers[k].capacity = capacity_of(project.barriers[k]);

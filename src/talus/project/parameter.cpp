@@ -16,7 +16,7 @@ namespace talus::project {
 namespace {
 
 /// Settings that a prepared site takes from the numbers alone.
-constexpr std::array tables_of_numbers{"material", "analysis", "seeder", "barrier"};
+constexpr std::array tables_of_numbers{"material", "analysis", "seeder", "shape", "barrier"};
 constexpr std::array fixed_settings{"seeder.rocks",
                                     "seeder.rocks_per_cell",
                                     "seeder.cell_m",
@@ -24,14 +24,18 @@ constexpr std::array fixed_settings{"seeder.rocks",
                                     "seeder.min_slope_deg",
                                     "seeder.max_slope_deg",
                                     "seeder.height_above_m",
+                                    "shape.corners",
+                                    "shape.power",
+                                    "shape.sides",
+                                    "shape.length_ratio",
                                     "barrier.height_m",
                                     "barrier.inclination_deg",
                                     "barrier.normal_restitution",
                                     "barrier.tangential_restitution",
                                     "analysis.energy_datum_m"};
 constexpr const char* allowed =
-    "a study varies numbers of [[material]] and [analysis], sizes and velocities of [[seeder]], and capacity_kJ of "
-    "[[barrier]]";
+    "a study varies numbers of [[material]] and [analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b "
+    "of [[shape]], and capacity_kJ of [[barrier]]";
 
 /// The number in a member, or the distribution around it; both null if it is another kind of member or is not set.
 struct Place {
