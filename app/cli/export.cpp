@@ -58,7 +58,9 @@ int export_paths(const ExportOptions& options) {
   if (!options.file.empty()) {
     (void)place_of_file(options.file);
     refuse_results(options.file);
-    refuse_other_files(options.file, header_of<PathEventRow>(), "table of paths");
+    std::string beginning = header_of<PathEventRow>({}, columns_in_run<PathEventRow>(false));
+    beginning.pop_back();  // blocks have more columns
+    refuse_other_files(options.file, beginning, "table of paths");
   }
   const TrajectoryStore store(options.folder / trajectories_name);
   if (options.file.empty()) {

@@ -50,11 +50,12 @@ int replay(const ReplayOptions& options) {
   const RockLog& log = simulator.log();
   const TableContext context = TableContext::of(loaded.model);
   if (options.csv) {
-    std::string text = header_of<PathEventRow>();
+    const std::size_t columns = columns_in_run<PathEventRow>(context.has_blocks);
+    std::string text = header_of<PathEventRow>({}, columns);
     PathEventRow row;
     for (std::size_t k = 0; k < log.rows.size(); ++k) {
       fill(row, context, record, k, log.rows[k]);
-      append_row(text, row);
+      append_row(text, row, nullptr, columns);
     }
     fmt::print("{}", text);
     return done;

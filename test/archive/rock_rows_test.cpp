@@ -70,6 +70,22 @@ TEST(RowsOfARock, AreAllRowsOfItsPath) {
   }
 }
 
+// Columns have been added at the end, and all of them may be empty.
+TEST(RowsOfARock, MayBeOfATableOfAnOlderProgram) {
+  const sample_run::Folder folder("rock-rows");
+  folder.write(
+      "endpoints.csv",
+      "rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,runout_total_m,lateral_m,time_s,events,end_reason,ground,"
+      "mass_kg,radius_m,max_ke_J,max_bounce_m,ensemble\n"
+      "0,Crest,1,2,3,4,5,6,,7,8,at rest,Rock,9,1,10,11,4\n");
+  const std::vector<EndpointRow> rows = rows_of_rock<EndpointRow>(folder.path, 0);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].max_bounce_m, 11);
+  EXPECT_EQ(rows[0].ensemble, 4U);
+  EXPECT_EQ(rows[0].a_m, std::nullopt);
+  EXPECT_EQ(rows[0].short_axis_share, std::nullopt);
+}
+
 TEST(RowsOfARock, AreRefusedFromAnotherFile) {
   const sample_run::Folder folder("rock-rows");
   folder.write("endpoints.csv", "rock,seeder\n0,Crest\n");

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "talus/archive/rows_of_rock.hpp"
+#include "talus/campaign/simulate.hpp"
 #include "talus/results/summary.hpp"
 #include "talus/rocks/energy.hpp"
 #include "talus/rocks/heights.hpp"
@@ -16,6 +17,7 @@ TableContext TableContext::of(const Model& model) {
                        .energy_datum = model.energy_datum,
                        .runout_frame = model.runout_frame,
                        .ensembles = model.ensembles.size(),
+                       .has_blocks = talus::has_blocks(model),
                        .parts = &model.parts};
   for (const Seeder& seeder : model.seeders) context.seeders.push_back(seeder.name);
   for (const Barrier& barrier : model.barriers) context.barriers.push_back(barrier.name);
@@ -33,16 +35,18 @@ std::optional<std::uint64_t> ensemble_in(const TableContext& context, const Rock
 template <class Row>
 class RowsText {
  public:
-  explicit RowsText(const TableContext& context) : context_(context) {}
+  explicit RowsText(const TableContext& context)
+      : context_(context), columns_(columns_in_run<Row>(context.has_blocks)) {}
   template <class... Seen>
   void add(const Seen&... seen) {
     fill(row_, context_, seen...);
-    append_row(text_, row_, &memory_);
+    append_row(text_, row_, &memory_, columns_);
   }
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
   const TableContext& context_;
+  std::size_t columns_;
   std::string text_;
   Row row_;
   CsvMemory memory_;
@@ -79,7 +83,9 @@ class TableObserver : public Observer {
 
 template <class Row>
 ResultTable table_of() {
-  return {Row::file_name, header_of<Row>(), [](const TableRocks& rocks) { return RowsOfRock<Row>::are_wanted(rocks); },
+  return {Row::file_name,
+          [](const TableContext& context) { return header_of<Row>({}, columns_in_run<Row>(context.has_blocks)); },
+          [](const TableRocks& rocks) { return RowsOfRock<Row>::are_wanted(rocks); },
           [](const TableContext& context, const TableRocks& rocks, TextSink& sink) -> std::unique_ptr<Observer> {
             return std::make_unique<TableObserver<Row>>(context, rocks, sink);
           }};

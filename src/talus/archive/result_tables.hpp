@@ -24,6 +24,7 @@ struct TableContext {
   std::vector<std::string> seeders, barriers, materials;  // their names
   RunoutFrame runout_frame;                               // local
   std::uint64_t ensembles = 0;                            // 0: all rocks have the same parameters
+  bool has_blocks = false;                                // some rocks have shapes
   const TerrainParts* parts = nullptr;                    // of impacts; null: the numbers of source()
 
   /// The model must outlive the context.
@@ -34,7 +35,7 @@ struct TableContext {
 /// the block is committed.
 struct ResultTable {
   std::string_view file_name;
-  std::string header;  // the first line of the file
+  std::string (*header)(const TableContext& context);  // the first line of the file
   /// Whether a run with these rocks in its tables has the file.
   bool (*is_wanted)(const TableRocks& rocks);
   /// The sink must outlive the observer. It is given rows only, never the header.

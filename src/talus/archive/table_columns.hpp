@@ -42,6 +42,7 @@ inline constexpr std::string_view ensemble_meaning =
 /// A row of endpoints.csv: how a rock ended. Positions are in the project's coordinates.
 struct EndpointRow {
   static constexpr const char* file_name = "endpoints.csv";
+  static constexpr std::size_t columns_of_blocks = 4;  // the last ones; only runs with blocks have them
 
   std::uint64_t rock = 0;
   std::string seeder{};
@@ -55,6 +56,7 @@ struct EndpointRow {
   double mass_kg = 0, radius_m = 0, max_ke_J = 0, max_bounce_m = 0;
   std::optional<std::uint64_t> ensemble{};
   std::optional<double> a_m{}, b_m{}, c_m{}, short_axis_share{};
+  [[nodiscard]] bool is_block() const { return a_m.has_value(); }
 
   static constexpr auto columns() {
     using R = EndpointRow;
@@ -86,7 +88,7 @@ struct EndpointRow {
                  "maximum bounce height: of the block's lowest point above the ground straight below it",
                  &R::max_bounce_m),
         key("ensemble", ensemble_meaning, &R::ensemble),
-        quantity("a_m", "m", "length of a block along its longest principal axis; spheres and points: empty", &R::a_m),
+        quantity("a_m", "m", "runs with blocks: length along its longest principal axis; of spheres empty", &R::a_m),
         quantity("b_m", "m", "along the intermediate one", &R::b_m),
         quantity("c_m", "m", "along the shortest one; in 2D empty, as the next", &R::c_m),
         quantity("short_axis_share", "",
@@ -99,6 +101,7 @@ struct EndpointRow {
 /// A row of paths.csv: a moment of a rock's trajectory.
 struct PathEventRow {
   static constexpr const char* file_name = "paths.csv";
+  static constexpr std::size_t columns_of_blocks = 4;  // as in EndpointRow
 
   std::uint64_t rock = 0, event = 0;
   PathState state = PathState::projectile;
@@ -126,10 +129,11 @@ struct PathEventRow {
         quantity("ke_translational_J", "J", "translational kinetic energy", &R::ke_translational_J),
         quantity("ke_rotational_J", "J", "rotational kinetic energy", &R::ke_rotational_J),
         quantity("pe_J", "J", "potential energy above the datum", &R::pe_J),
-        quantity("qw", "",
-                 "how a block is turned: w, 0 or more, of the quaternion from its principal axes, the longest along x, "
-                 "to the axes of the coordinates; spheres and points: empty",
-                 &R::qw),
+        quantity(
+            "qw", "",
+            "runs with blocks: how it is turned, w, 0 or more, of the quaternion from its principal axes, the longest "
+            "along x, to the axes of the coordinates; of spheres empty",
+            &R::qw),
         quantity("qx", "", "x of it", &R::qx), quantity("qy", "", "y of it", &R::qy),
         quantity("qz", "", "z of it", &R::qz));
   }
@@ -224,6 +228,16 @@ struct HitRow {
                  &R::top_height_m));
   }
 };
+
+/// How many columns of a row the tables of a run have.
+template <class Row>
+[[nodiscard]] constexpr std::size_t columns_in_run(bool has_blocks) {
+  if constexpr (requires { Row::columns_of_blocks; }) {
+    return has_blocks ? column_count<Row> : column_count<Row> - Row::columns_of_blocks;
+  } else {
+    return column_count<Row>;
+  }
+}
 
 /// The rows of the tables to which rocks add while they are simulated, in the order of the files: a new table's row is
 /// added here, and result_tables.cpp says which rows a rock has there.

@@ -74,14 +74,14 @@ TableFiles::TableFiles(std::filesystem::path folder, const TableContext& context
   for (const ResultTable* table : tables_with(rocks)) {
     auto sink = std::make_unique<Sink>();
     auto observer = table->make(context, rocks, *sink);
-    entries_.push_back({table, std::move(sink), std::move(observer)});
+    entries_.push_back({table, table->header(context), std::move(sink), std::move(observer)});
   }
 }
 
 void TableFiles::begin() {
   for (Entry& entry : entries_) {
     entry.sink->file = std::make_unique<OutputFile>(folder_ / entry.table->file_name);
-    entry.sink->write(entry.table->header);
+    entry.sink->write(entry.header);
   }
 }
 

@@ -61,6 +61,7 @@ class TableFiles {
   };
   struct Entry {
     const ResultTable* table;
+    std::string header;
     std::unique_ptr<Sink> sink;
     std::unique_ptr<Observer> observer;
   };

@@ -150,6 +150,10 @@ Vec3 start_of(const Model& model, std::uint64_t rock) {
   return released.release.motion.position;
 }
 
+bool has_blocks(const Model& model) {
+  return std::ranges::any_of(model.seeders, [](const Seeder& seeder) { return !seeder.shapes->kinds.empty(); });
+}
+
 std::optional<RockBlock> block_of(const Model& model, std::uint64_t rock) {
   Released released;
   release_into(released, model, rock);

@@ -43,6 +43,9 @@ struct RockBlock {
 /// The block of a rock, as it is drawn for its release; nullopt: it has no shape.
 [[nodiscard]] std::optional<RockBlock> block_of(const Model& model, std::uint64_t rock);
 
+/// Whether rocks of the model have shapes.
+[[nodiscard]] bool has_blocks(const Model& model);
+
 /// Simulates rocks of one model; each thread needs its own.
 class Simulator {
  public:

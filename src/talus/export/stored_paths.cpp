@@ -13,6 +13,7 @@ TableContext path_context_of(const StoreFacts& facts) {
   context.gravity = facts.gravity.norm();
   context.energy_datum = facts.energy_datum;
   context.seeders = facts.seeders;
+  context.has_blocks = facts.has_blocks;
   return context;
 }
 
@@ -20,7 +21,8 @@ void write_stored_paths(const TrajectoryStore& store, std::optional<std::uint64_
   const TableContext context = path_context_of(store.facts());
   const std::uint64_t rocks = store.rocks().size();
   const EvenChoice choice(wanted.value_or(rocks), rocks);
-  std::string text = header_of<PathEventRow>();
+  const std::size_t columns = columns_in_run<PathEventRow>(context.has_blocks);
+  std::string text = header_of<PathEventRow>({}, columns);
   StoredTrajectory trajectory;
   PathEventRow row;
   CsvMemory memory;
@@ -30,7 +32,7 @@ void write_stored_paths(const TrajectoryStore& store, std::optional<std::uint64_
     store.read(place, trajectory);
     for (std::size_t k = 0; k < trajectory.rows.size(); ++k) {
       fill(row, context, trajectory.record, k, trajectory.rows[k]);
-      append_row(text, row, &memory);
+      append_row(text, row, &memory, columns);
     }
     out.write(text);
     text.clear();

@@ -38,10 +38,12 @@ CsvReader::CsvReader(const std::filesystem::path& file)
 }
 
 CsvReader::CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns,
-                     std::optional<std::size_t> more_at)
+                     std::optional<std::size_t> more_at, std::size_t may_lack)
     : CsvReader(file) {
-  const std::size_t before = more_at.value_or(columns.size()), after = columns.size() - before;
-  const bool has_all = more_at ? columns_.size() >= columns.size() : columns_.size() == columns.size();
+  const std::size_t least = columns.size() - may_lack, most = more_at ? columns_.size() : columns.size();
+  const bool has_all = columns_.size() >= least && columns_.size() <= most;
+  const std::size_t before = more_at.value_or(std::min(columns_.size(), columns.size())),
+                    after = more_at ? columns.size() - before : 0;
   if (has_all && std::ranges::equal(columns.first(before), std::span(columns_).first(before)) &&
       std::ranges::equal(columns.last(after), std::span(columns_).last(after)))
     return;

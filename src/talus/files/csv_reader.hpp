@@ -16,9 +16,9 @@ namespace talus {
 class CsvReader {
  public:
   /// Expects exactly these columns in the file's first line, and any number of others at the place `more_at` if it is
-  /// given; throws BadInput otherwise.
+  /// given; throws BadInput otherwise. The last `may_lack` of them may be missing.
   CsvReader(const std::filesystem::path& file, std::span<const std::string_view> columns,
-            std::optional<std::size_t> more_at = {});
+            std::optional<std::size_t> more_at = {}, std::size_t may_lack = 0);
   /// Takes the columns that the file's first line names.
   explicit CsvReader(const std::filesystem::path& file);
 

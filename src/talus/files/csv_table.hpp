@@ -78,6 +78,15 @@ inline constexpr bool is_family = false;
 template <class Row>
 inline constexpr bool is_family<Family<Row>> = true;
 
+template <class>
+inline constexpr bool is_optional = false;
+template <class Value>
+inline constexpr bool is_optional<std::optional<Value>> = true;
+template <class>
+inline constexpr bool is_optional_column = false;
+template <class Row, class Value>
+inline constexpr bool is_optional_column<Column<Row, Value>> = is_optional<Value>;
+
 template <class Row>
 concept TableRow = requires {
   Row::columns();
@@ -120,6 +129,15 @@ inline constexpr std::array<std::string_view, column_count<Row>> column_names = 
   return names;
 }();
 
+/// How many of the last columns are optional, so that tables of older programs may lack them.
+template <TableRow Row>
+inline constexpr std::size_t last_optionals = [] {
+  std::size_t count = 0;
+  for_columns<Row>(
+      [&](const auto& column) { count = is_optional_column<std::remove_cvref_t<decltype(column)>> ? count + 1 : 0; });
+  return family_place<Row> ? 0 : count;
+}();
+
 /// The place of a member's column in column_names, of a vector's first one.
 template <TableRow Row, class Value>
 [[nodiscard]] consteval std::size_t place_of(Value Row::*member) {
@@ -146,12 +164,16 @@ template <TableRow Row>
   return names;
 }
 
-/// The first line of the table.
+inline constexpr std::size_t all_columns = static_cast<std::size_t>(-1);
+
+/// The first line of the table, with the first `columns` of its columns.
 template <TableRow Row>
-[[nodiscard]] std::string header_of(std::span<const std::string> of_family = {}) {
+[[nodiscard]] std::string header_of(std::span<const std::string> of_family = {}, std::size_t columns = all_columns) {
   std::string text;
   CsvRow row(text);
-  for (const std::string& name : names_of<Row>(of_family)) row << name;
+  std::vector<std::string> names = names_of<Row>(of_family);
+  if (names.size() > columns) names.resize(columns);
+  for (const std::string& name : names) row << name;
   row.end();
   return text;
 }
@@ -183,11 +205,13 @@ void put_cell(CsvRow& row, const std::optional<Value>& value) {
   }
 }
 
-/// Adds a row to the text of a table; `memory` (may be null) of the rows before.
+/// Adds a row to the text of a table; `memory` (may be null) of the rows before. `columns`: as for header_of().
 template <TableRow Row>
-void append_row(std::string& text, const Row& row, CsvMemory* memory = nullptr) {
+void append_row(std::string& text, const Row& row, CsvMemory* memory = nullptr, std::size_t columns = all_columns) {
   CsvRow out(text, memory);
+  std::size_t place = 0;
   for_columns<Row>([&](const auto& column) {
+    if (place++ >= columns) return;
     if constexpr (is_family<std::remove_cvref_t<decltype(column)>>) {
       for (const std::optional<double>& value : row.*column.member) put_cell(out, value);
     } else {
@@ -220,9 +244,11 @@ template <TableRow Row>
 template <TableRow Row>
 class TableReader {
  public:
-  /// Expects the columns of the row, and any number of others where it has a family.
+  /// Expects the columns of the row, and any number of others where it has a family. Optional ones at the end may be
+  /// missing: they are empty.
   explicit TableReader(const std::filesystem::path& file)
-      : csv_(file, column_names<Row>, family_place<Row>), family_size_(csv_.columns().size() - column_count<Row>) {}
+      : csv_(file, column_names<Row>, family_place<Row>, last_optionals<Row>),
+        family_size_(family_place<Row> ? csv_.columns().size() - column_count<Row> : 0) {}
 
   [[nodiscard]] bool next() { return csv_.next(); }
   [[nodiscard]] const CsvReader& csv() const { return csv_; }
@@ -277,11 +303,9 @@ class TableReader {
       return csv_.text(place);
     } else if constexpr (std::same_as<Value, double>) {
       return csv_.number(place);
-    } else if constexpr (std::same_as<Value, std::optional<double>>) {
-      return csv_.text(place).empty() ? std::nullopt : std::optional(csv_.number(place));
-    } else if constexpr (std::same_as<Value, std::optional<std::uint64_t>>) {
-      return csv_.text(place).empty() ? std::nullopt
-                                      : std::optional(static_cast<std::uint64_t>(csv_.whole_number(place)));
+    } else if constexpr (is_optional<Value>) {
+      const bool has_value = place < csv_.columns().size() && !csv_.text(place).empty();
+      return has_value ? Value(cell<typename Value::value_type>(place)) : Value();
     } else if constexpr (std::is_enum_v<Value>) {
       return word_in<Value>(place);
     } else {

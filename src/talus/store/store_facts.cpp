@@ -1,10 +1,14 @@
 #include "talus/store/store_facts.hpp"
 
+#include "talus/campaign/simulate.hpp"
 #include "talus/store/path_bytes.hpp"
 
 namespace talus {
 
 namespace {
+
+/// What rocks are.
+enum StoredRocks : std::uint8_t { of_points, of_spheres, with_blocks };
 
 void save_names(ByteWriter& out, const std::vector<std::string>& names) {
   out.count(names.size());
@@ -22,6 +26,7 @@ StoreFacts StoreFacts::of(const Model& model) {
   StoreFacts facts;
   facts.is_section = std::holds_alternative<Profile>(*model.surface);
   facts.is_sphere = has_extent(model.laws.model);
+  facts.has_blocks = talus::has_blocks(model);
   facts.origin = model.frame.origin + Vec3{};  // without negative zeros
   facts.gravity = model.laws.gravity;
   facts.energy_datum = model.energy_datum;
@@ -38,7 +43,7 @@ StoreFacts StoreFacts::of(const Model& model) {
 
 void StoreFacts::save(ByteWriter& out) const {
   out.flag(is_section);
-  out.flag(is_sphere);
+  out.put(static_cast<std::uint8_t>(has_blocks ? with_blocks : is_sphere ? of_spheres : of_points));
   for (const double x : coordinates(origin)) out.put(x);
   for (const double x : coordinates(gravity)) out.put(x);
   out.put(energy_datum);
@@ -54,7 +59,10 @@ void StoreFacts::save(ByteWriter& out) const {
 StoreFacts StoreFacts::read(ByteReader& in) {
   StoreFacts facts;
   facts.is_section = in.flag();
-  facts.is_sphere = in.flag();
+  const auto rocks = in.get<std::uint8_t>();
+  expect_bytes(rocks <= with_blocks, "its rocks are of no known kind");
+  facts.is_sphere = rocks != of_points;
+  facts.has_blocks = rocks == with_blocks;
   facts.origin = get_vector<double>(in, false);
   facts.gravity = get_vector<double>(in, false);
   facts.energy_datum = get_number<double>(in);

@@ -14,7 +14,8 @@ namespace talus {
 
 struct StoreFacts {
   bool is_section = false;  // 2D: y is 0
-  bool is_sphere = false;   // rigid sphere; otherwise a rock is its centre
+  bool is_sphere = false;   // rigid sphere or block; otherwise a rock is its centre
+  bool has_blocks = false;  // some rocks have shapes
   Vec3 origin;              // of the local frame, in the project's coordinates [m]
   Vec3 gravity;             // [m/s2]
   double energy_datum = 0;  // z in the project's coordinates [m]

@@ -20,6 +20,10 @@ export const endpointColumns = {
   max_ke_J: {"kind":"quantity","unit":"J","meaning":"maximum total kinetic energy: translational and rotational"},
   max_bounce_m: {"kind":"quantity","unit":"m","meaning":"maximum bounce height: of the block's lowest point above the ground straight below it"},
   ensemble: {"kind":"key","unit":"","meaning":"with `sampling.parameters`: number of the rock's ensemble, from 0; otherwise empty"},
+  a_m: {"kind":"quantity","unit":"m","meaning":"length of a block along its longest principal axis; spheres and points: empty"},
+  b_m: {"kind":"quantity","unit":"m","meaning":"along the intermediate one"},
+  c_m: {"kind":"quantity","unit":"m","meaning":"along the shortest one; in 2D empty, as the next"},
+  short_axis_share: {"kind":"quantity","unit":"","meaning":"of a block: the part of its angular momentum along its shortest axis, mean over the time of its flights: near 1 it rolls as a wheel"},
 } as const;
 
 export const pathColumns = {
@@ -39,6 +43,10 @@ export const pathColumns = {
   ke_translational_J: {"kind":"quantity","unit":"J","meaning":"translational kinetic energy"},
   ke_rotational_J: {"kind":"quantity","unit":"J","meaning":"rotational kinetic energy"},
   pe_J: {"kind":"quantity","unit":"J","meaning":"potential energy above the datum"},
+  qw: {"kind":"quantity","unit":"","meaning":"how a block is turned: w, 0 or more, of the quaternion from its principal axes, the longest along x, to the axes of the coordinates; spheres and points: empty"},
+  qx: {"kind":"quantity","unit":"","meaning":"x of it"},
+  qy: {"kind":"quantity","unit":"","meaning":"y of it"},
+  qz: {"kind":"quantity","unit":"","meaning":"z of it"},
 } as const;
 
 export const hitColumns = {
@@ -77,6 +85,10 @@ export const endpointNumbers = {
   radius_m: {"unit":"m"},
   max_ke_J: {"unit":"J"},
   max_bounce_m: {"unit":"m"},
+  a_m: {"unit":"m"},
+  b_m: {"unit":"m"},
+  c_m: {"unit":"m"},
+  short_axis_share: {"unit":""},
 } as const;
 
 export const hitNumbers = {

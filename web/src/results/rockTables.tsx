@@ -24,6 +24,10 @@ const pathTitles: Record<Exclude<PathColumn, 'rock'>, string> = {
   ke_translational_J: 'Kinetic, translational',
   ke_rotational_J: 'Kinetic, rotational',
   pe_J: 'Potential',
+  qw: 'Orientation w',
+  qx: 'Orientation x',
+  qy: 'Orientation y',
+  qz: 'Orientation z',
 };
 const hitTitles: Record<Exclude<HitColumn, 'rock' | 'ensemble' | PathColumn>, string> = {
   barrier: 'Barrier',
@@ -49,8 +53,8 @@ interface Props {
 }
 
 export function PathTable({ run, rock, path }: Props) {
-  // The rock is the same in all rows.
-  const kept = path.columns.flatMap((key, k) => (key === 'rock' ? [] : [k]));
+  // The rock is the same in all rows; spheres and points have no orientation.
+  const kept = path.columns.flatMap((key, k) => (key === 'rock' || path.rows.every((row) => row[k] === '') ? [] : [k]));
   return (
     <DataTable
       caption={`Trajectory of rock ${rock}`}
@@ -79,6 +83,15 @@ export function HitsTable({ run, rock, path }: Props) {
   );
 }
 
+/// Of a block. A section has no third axis.
+function blockFacts(endpoint: Record<string, string>): [string, string][] {
+  const { unit, per } = displayOfColumn('a_m');
+  const axes = [endpoint.a_m, endpoint.b_m, endpoint.c_m].filter((axis) => axis !== '' && axis !== undefined);
+  const facts: [string, string][] = [['Axes', `${axes.map((axis) => numberText(Number(axis) / per)).join(' × ')} ${unit}`]];
+  if (endpoint.short_axis_share) facts.push(['Spin about the shortest axis', `${numberText(100 * Number(endpoint.short_axis_share))} %`]);
+  return facts;
+}
+
 /// The main values of the rock's row of endpoints.csv.
 export function RockFacts({ endpoint }: { endpoint: Record<string, string> }) {
   const number = (key: string) => {
@@ -89,6 +102,7 @@ export function RockFacts({ endpoint }: { endpoint: Record<string, string> }) {
     ['Seeder', endpoint.seeder ?? ''],
     ...(endpoint.ensemble ? [['Ensemble', endpoint.ensemble] as [string, string]] : []),
     ['Mass', number('mass_kg')],
+    ...(endpoint.a_m ? blockFacts(endpoint) : []),
     ['End reason', endpoint.end_reason ?? ''],
     ['Runout on plan', number('runout_xy_m')],
     ['Time', number('time_s')],
