@@ -5,7 +5,7 @@
 # part.
 
 # In this order on the page: each may use the ones before it.
-set(TALUS_REPORT_SCRIPTS format settings figure run tables statistics overview terrain inputs slope mapframe plan maps
+set(TALUS_REPORT_SCRIPTS format settings figure run tables statistics overview terrain inputs shapes slope mapframe plan maps
   envelopes energy distributions observed impacts barriers design convergence uncertainty paper sheet page)
 # The same for the page of a sensitivity study.
 set(TALUS_SENSITIVITY_SCRIPTS format study figure tables paper sensitivity)

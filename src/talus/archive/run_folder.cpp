@@ -113,7 +113,7 @@ Kept<EndpointRow> read_endpoints(const std::filesystem::path& file, std::size_t 
     if (!sample.wants(rock)) continue;
     sample.add(rock, 1,
                row.part<&R::rock, &R::seeder, &R::end_reason, &R::position_m, &R::runout_xy_m, &R::runout_total_m,
-                        &R::time_s, &R::max_ke_J, &R::max_bounce_m>());
+                        &R::time_s, &R::max_ke_J, &R::max_bounce_m, &R::a_m, &R::b_m, &R::c_m, &R::short_axis_share>());
   }
   kept.items = sample.take();
   return kept;

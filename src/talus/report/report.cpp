@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -38,17 +39,25 @@ double drawn_J(double value) { return std::round(value * 10) / 10; }
 
 Json endpoints_of(const RunFolder& run) {
   auto rows = Json::array();
+  const bool has_blocks = std::ranges::any_of(run.endpoints.items, &EndpointRow::is_block);
   for (const EndpointRow& end : run.endpoints.items) {
-    rows.push_back({end.rock, end.seeder, drawn(end.position_m[0]), drawn(end.position_m[1]), drawn(end.position_m[2]),
-                    drawn(end.runout_xy_m), drawn(end.runout_total_m), drawn(end.time_s), name(end.end_reason),
-                    drawn_J(end.max_ke_J), drawn(end.max_bounce_m)});
+    Json& row = rows.emplace_back(Json{end.rock, end.seeder, drawn(end.position_m[0]), drawn(end.position_m[1]),
+                                       drawn(end.position_m[2]), drawn(end.runout_xy_m), drawn(end.runout_total_m),
+                                       drawn(end.time_s), name(end.end_reason), drawn_J(end.max_ke_J),
+                                       drawn(end.max_bounce_m)});
+    if (!has_blocks) continue;
+    for (const std::optional<double>& value : {end.a_m, end.b_m, end.c_m, end.short_axis_share})
+      row.push_back(value ? Json(drawn(*value)) : Json());
   }
-  return {
-      {"has_file", run.endpoints.has_file},
-      {"total", run.endpoints.total},
-      {"columns",
-       {"rock", "seeder", "x", "y", "z", "runout_xy", "runout_total", "time", "end_reason", "max_ke", "max_bounce"}},
-      {"rows", std::move(rows)}};
+  Json columns = {"rock",         "seeder", "x",          "y",      "z",         "runout_xy",
+                  "runout_total", "time",   "end_reason", "max_ke", "max_bounce"};
+  if (has_blocks) {
+    for (const char* column : {"a", "b", "c", "share"}) columns.push_back(column);
+  }
+  return {{"has_file", run.endpoints.has_file},
+          {"total", run.endpoints.total},
+          {"columns", std::move(columns)},
+          {"rows", std::move(rows)}};
 }
 
 Json paths_of(const RunFolder& run) {

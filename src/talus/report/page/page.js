@@ -26,7 +26,7 @@ function factsLine(parent, parts, run) {
 
 function factsList(parent) {
   for (const run of runs) {
-    const model = {lumped_mass: 'lumped mass', rigid_sphere: 'rigid sphere'}[(run.project.analysis || {}).model];
+    const model = {lumped_mass: 'lumped mass', rigid_sphere: 'rigid sphere', rigid_body: 'rigid body'}[(run.project.analysis || {}).model];
     const talus = run.summary.talus || {};
     const rocks = run.summary.rocks || {};
     const parts = [
@@ -69,6 +69,7 @@ function show() {
     ], 'Descriptive statistics, one value per rock');
     element(node, 'p', 'Standard deviation and variance are sample values (n − 1). Kurtosis is excess kurtosis; skewness is corrected for bias. The confidence level is half the width of the 95 % interval of the mean, by Student’s t. Variances are in the square of the unit. Total kinetic energy is translational plus rotational.', {class: 'quiet'});
   });
+  if (runs.some(hasForms)) section('Shapes of rocks', 'shapes', shapeSections);
   if (runs.some((run) => run.observed)) section('Observed stops', 'observed', observedFigures);
   section('End reasons', 'reasons', endReasons);
   if (runs.some((run) => run.barriers.length)) section('Barriers and collectors', 'barriers', barrierSections);

@@ -125,7 +125,7 @@ function drawPlan(svg, room, extent, id) {
     ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
     {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
     {text: 'release', draw: sign.circle('release', '')},
-    ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
+    ...(single ? endSigns(runs[0]) : []),
     ...(contours.interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),
   ];
   const y = side.bottom + 58;

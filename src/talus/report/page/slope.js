@@ -111,7 +111,7 @@ function drawRocks(group, textOf, toX, toY, endX, endY) {
   }
   for (const run of runs) {
     tip(group.append('g').style('--run', run.colour).selectAll('circle').data(run.endpoints).enter().append('circle')
-      .attr('class', 'end').attr('r', run.endpoints.length > 600 ? 1.8 : 2.8)
+      .attr('class', 'end').attr('r', run.endpoints.length > 600 ? 1.8 : 2.8).style('--run', (e) => endColour(run, e))
       .attr('cx', (e) => toX(endX(e))).attr('cy', (e) => toY(endY(e))), endText(run));
   }
   drawReleases(group, runs, toX, toY, endX, endY);
@@ -285,7 +285,7 @@ function drawSection(svg, width, tallest, id) {
     ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
     {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
     {text: 'release', draw: sign.circle('release', '')},
-    ...(single ? [{text: 'end point', draw: sign.circle('end', runs[0].colour)}] : []),
+    ...(single ? endSigns(runs[0]) : []),
     ...[...used].map((name) => ({text: name, draw: (g) => g.append('line').attr('class', 'ground-line').attr('x2', 22).style('stroke', materialColour(runs[0], name)).style('stroke-width', 4)})),
   ]);
   svg.append('text').attr('class', 'map-note').attr('x', side.left).attr('y', end + 8).text(`${scaleText(frame.denominator)}, both axes`);
