@@ -16,6 +16,7 @@ struct ContactPoint {
   Vec3 normal;               // unit, out of the ground, roughness included
   FacetId facet{};           // of the ground
   std::uint32_t corner = 0;  // of a rock with a shape
+  double gap = 0;            // of the point above the ground; negative in the ground [m]
 };
 
 /// In the order in which an impact law takes them. At most four: more do not change how a rigid body moves, only how

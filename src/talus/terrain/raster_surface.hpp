@@ -75,6 +75,8 @@ class RasterSurface {
   /// returns the bound from there on.
   template <class Visit>
   void visit_low_corners(const Posture& body, double bound, Visit&& visit) const;
+  /// The ratio of heights over any facet to distances from it, at most.
+  [[nodiscard]] double slant() const { return slant_; }
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
   [[nodiscard]] std::vector<Vec3> draped(const Vec2& from, const Vec2& to) const;
   [[nodiscard]] Vec3 normal(FacetId facet) const { return area_normal(triangle(facet)).normalized(); }
@@ -195,6 +197,7 @@ class RasterSurface {
   std::vector<std::uint64_t> cuts_;     // a bit for each cell, at the number of its south-west node
   std::size_t columns_ = 0, rows_ = 0;  // of cells
   bool has_holes_ = false;
+  double slant_ = 1;
   Box bounds_;
 };
 

@@ -68,7 +68,9 @@ TriangleMesh::TriangleMesh(std::span<const Vec3> vertices, std::span<const Corne
       const std::uint32_t beyond = neighbours[source][c];
       facet.neighbour[c] = beyond == no_neighbour ? no_neighbour : place[beyond];
     }
-    if (normal({static_cast<std::uint32_t>(k)}).z() <= 0) is_height_field_ = false;
+    const double upwards = normal({static_cast<std::uint32_t>(k)}).z();
+    if (upwards <= 0) is_height_field_ = false;
+    if (upwards > 0) slant_ = std::max(slant_, 1 / upwards);
   }
   find_sharp_features(triangles);
   add_leaning_bounds(bvh_, [&](std::uint32_t facet) -> const Triangle& { return facets_[facet].corner; });
@@ -280,6 +282,18 @@ double TriangleMesh::max_height(const Parabola& path, double t_end, double known
   return known;
 }
 
+std::optional<double> TriangleMesh::height_at(std::uint32_t facet, const Vec3& n, double x, double y) const {
+  const Triangle& corner = facets_[facet].corner;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Vec3 along = corner[next_corner[c]] - corner[c];
+    const double area = along.x() * (y - corner[c].y()) - along.y() * (x - corner[c].x());
+    if (!((n.z() > 0 ? area : -area) >= -contact_slack * (std::abs(along.x()) + std::abs(along.y())))) {
+      return std::nullopt;
+    }
+  }
+  return corner[0].z() - (n.x() * (x - corner[0].x()) + n.y() * (y - corner[0].y())) / n.z();
+}
+
 template <class Visit>
 void TriangleMesh::visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const {
   const Vec3 low(x - contact_slack, y - contact_slack, z_low), high(x + contact_slack, y + contact_slack, z_high);
@@ -288,15 +302,8 @@ void TriangleMesh::visit_column(double x, double y, double z_low, double z_high,
       const auto& corner = facets_[k].corner;
       const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
       if (n.z() == 0) continue;
-      bool inside = true;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const Vec3 along = corner[next_corner[c]] - corner[c];
-        const double area = along.x() * (y - corner[c].y()) - along.y() * (x - corner[c].x());
-        inside = inside && (n.z() > 0 ? area : -area) >= -contact_slack * (std::abs(along.x()) + std::abs(along.y()));
-      }
-      if (!inside) continue;
-      const double z = corner[0].z() - (n.x() * (x - corner[0].x()) + n.y() * (y - corner[0].y())) / n.z();
-      if (z >= z_low && z <= z_high) visit(z, n.z(), k);
+      const auto z = height_at(k, n, x, y);
+      if (z && *z >= z_low && *z <= z_high) visit(*z, n.z(), k);
     }
   });
 }

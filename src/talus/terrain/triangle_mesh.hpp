@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "talus/core/large_pages.hpp"
+#include "talus/rocks/shape.hpp"
 #include "talus/terrain/bvh.hpp"
 #include "talus/terrain/facet_contact.hpp"
 
@@ -47,6 +48,11 @@ class TriangleMesh {
                                                 double below = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId near) const;
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
+  /// The ratio of heights over any facet that faces up to distances from it, at most.
+  [[nodiscard]] double slant() const { return slant_; }
+  /// As that of a raster (raster_surface.hpp), of a mesh without overhangs.
+  template <class Visit>
+  void visit_low_corners(const Posture& body, double bound, Visit&& visit) const;
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
   /// The highest surface along a straight line on plan: a point at each bend, two at each step; stretches without
   /// ground are missing.
@@ -90,6 +96,8 @@ class TriangleMesh {
   /// `flight`: the duration of the whole flight [s].
   [[nodiscard]] double max_height_in_sight(const Parabola& path, double flight, const TimeWindow& window,
                                            std::uint32_t facet) const;
+  /// The elevation of a facet at a place on plan; `n`: its normal, of any length.
+  [[nodiscard]] std::optional<double> height_at(std::uint32_t facet, const Vec3& n, double x, double y) const;
   /// Calls visit(z, n_z, facet) for each facet at a place on plan that is not vertical, between two elevations.
   template <class Visit>
   void visit_column(double x, double y, double z_low, double z_high, Visit&& visit) const;
@@ -98,7 +106,59 @@ class TriangleMesh {
   Bvh bvh_;
   Box bounds_;
   bool is_height_field_ = true;
+  double slant_ = 1;
 };
+
+// Facets near the body are found once for all corners. The ground is not above the highest of their planes: most
+// corners are so high above these that the ground below them need not be known.
+template <class Visit>
+void TriangleMesh::visit_low_corners(const Posture& body, double bound, Visit&& visit) const {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  struct Near {
+    std::uint32_t facet;
+    Vec3 normal;
+    double along_x, along_y, height;  // of its plane, from the body's centre
+  };
+  constexpr std::size_t most = 16;
+  std::array<Near, most> near;
+  std::size_t count = 0;
+  const double reach = body.reach + box_pad;
+  const Vec3 low(body.centre.x() - reach, body.centre.y() - reach, bounds_.low.z() - 1);
+  const Vec3 high(body.centre.x() + reach, body.centre.y() + reach, bounds_.high.z() + 1);
+  bvh_.visit_box(low, high, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t k = first; k < last; ++k) {
+      const Triangle& corner = facets_[k].corner;
+      const Vec3 least = corner[0].min(corner[1]).min(corner[2]), largest = corner[0].max(corner[1]).max(corner[2]);
+      if (least.x() > high.x() || largest.x() < low.x() || least.y() > high.y() || largest.y() < low.y()) continue;
+      if (count++ >= most) continue;
+      const Vec3 n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+      const double along_x = -n.x() / n.z(), along_y = -n.y() / n.z();
+      near[count - 1] = {k, n, along_x, along_y,
+                         corner[0].z() - body.centre.z() + along_x * (body.centre.x() - corner[0].x()) +
+                             along_y * (body.centre.y() - corner[0].y())};
+    }
+  });
+  const bool are_few = count <= most;
+  for (std::size_t i = 0; i < body.corners.size(); ++i) {
+    const Vec3 arm = body.arm(i), place = body.centre + arm;
+    if (!are_few) {
+      const auto ground = elevation(place.x(), place.y());
+      bound = visit(i, ground ? place.z() - *ground : infinite);
+      continue;
+    }
+    double highest = -infinite;
+    for (std::size_t k = 0; k < count; ++k) {
+      highest = std::max(highest, near[k].height + near[k].along_x * arm.x() + near[k].along_y * arm.y());
+    }
+    if (arm.z() - highest > bound + box_pad) continue;
+    double ground = -infinite;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto z = height_at(near[k].facet, near[k].normal, place.x(), place.y());
+      if (z) ground = std::max(ground, *z);
+    }
+    bound = visit(i, place.z() - ground);
+  }
+}
 
 template <class Touch>
 void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Touch&& touch) const {

@@ -31,10 +31,9 @@ template <class Surface>
 template <class Surface, class Visit>
 void visit_low_corners(const Surface& surface, const Posture& body, double bound, Visit&& visit) {
   if constexpr (requires { surface.visit_low_corners(body, bound, visit); }) {
-    surface.visit_low_corners(body, bound, visit);
-  } else {
-    for (std::size_t i = 0; i < body.corners.size(); ++i) visit(i, clearance(surface, body.place(i)));
+    if (!surface.may_overhang()) return surface.visit_low_corners(body, bound, visit);
   }
+  for (std::size_t i = 0; i < body.corners.size(); ++i) visit(i, clearance(surface, body.place(i)));
 }
 
 /// The corner of a body that has the least clearance [m].
@@ -90,20 +89,28 @@ class Touched {
   std::size_t size_ = 0;
 };
 
-/// The clearance of what is so far from the ground, at most: no facet is steeper.
-[[nodiscard]] inline double vertically(double distance) { return 1e3 * distance; }
+/// The clearance of what is so far from the ground, at most.
+template <class Surface>
+[[nodiscard]] double vertically(const Surface& surface, double distance) {
+  constexpr double steepest = 1e3;
+  if constexpr (requires { surface.slant(); }) {
+    return std::min(steepest, surface.slant() * (1 + tolerance::share_by_rounding)) * distance;
+  } else {
+    return steepest * distance;
+  }
+}
 
 /// Where a corner with this clearance touches the ground within `tolerance` [m], or has sunk into it.
 template <class Surface>
 [[nodiscard]] std::optional<ContactPoint> touch_of(const Surface& surface, const Posture& body, std::size_t corner,
                                                    double gap, double tolerance) {
-  if (!(gap <= vertically(tolerance))) return std::nullopt;
+  if (!(gap <= vertically(surface, tolerance))) return std::nullopt;
   const Vec3 arm = body.arm(corner), place = body.centre + arm;
   const auto below = surface.ground_below({place.xy(), place.z() - std::min(gap, 0.0) + contact_slack});
   if (!below) return std::nullopt;
   const Vec3 normal = surface.normal(below->facet);
   if (gap > tolerance && gap * normal.z() > tolerance) return std::nullopt;
-  return ContactPoint{arm, normal, below->facet, static_cast<std::uint32_t>(corner)};
+  return ContactPoint{arm, normal, below->facet, static_cast<std::uint32_t>(corner), gap * normal.z()};
 }
 
 /// Where corners within `tolerance` [m] of the ground touch it, or have sunk into it. `first`: the corner whose contact
@@ -116,9 +123,10 @@ template <class Surface>
     if (const auto touch = touch_of(surface, body, corner, gap, tolerance)) touched.add(*touch);
   };
   if (first) look_at(*first, clearance(surface, body.place(*first)));
-  visit_low_corners(surface, body, vertically(tolerance), [&](std::size_t corner, double gap) {
+  const double bound = vertically(surface, tolerance);
+  visit_low_corners(surface, body, bound, [&](std::size_t corner, double gap) {
     if (corner != first) look_at(corner, gap);
-    return vertically(tolerance);
+    return bound;
   });
   return touched;
 }
@@ -139,12 +147,13 @@ template <class Surface>
     return 0.0;
   });
   const ContactSet struck = touched.contacts();
-  visit_low_corners(surface, from, vertically(tolerance), [&](std::size_t corner, double gap) {
+  const double bound = vertically(surface, tolerance);
+  visit_low_corners(surface, from, bound, [&](std::size_t corner, double gap) {
     const bool is_known =
         std::any_of(struck.begin(), struck.end(), [&](const ContactPoint& known) { return known.corner == corner; });
-    if (is_known) return vertically(tolerance);
+    if (is_known) return bound;
     if (const auto near = touch_of(surface, from, corner, gap, tolerance)) touched.add(*near);
-    return vertically(tolerance);
+    return bound;
   });
   return touched;
 }
