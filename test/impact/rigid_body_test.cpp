@@ -90,7 +90,7 @@ TEST_P(ACorner, IsStruckAsComputedElsewhere) {
                                         {0.3, c.tangential_restitution}, c.friction);
   EXPECT_FALSE(result.is_limited);
   EXPECT_TRUE(result.has_settled);
-  expect_near(result.impulses[0], c.impulse, 2e-6);
+  expect_near(result.by.at[0], c.impulse, 2e-6);
   expect_near(result.rebound.velocity, c.velocity, 1e-9);
   expect_near(result.rebound.spin, c.spin, 1e-9);
   EXPECT_NEAR(box.energy(result.rebound), c.energy, 1e-5);
@@ -156,9 +156,9 @@ TEST(RigidBody, ResistsRollingAsTheLawOfTheSphereDoes) {
     const Vec3 n = dice.direction(), v = dice.in_cube(10), w = dice.in_cube(10);
     const Restitution restitution{dice.between(0, 1), 0};
     const double rolling = dice.between(0, 0.5), friction = 1000;
-    const Rebound general =
-        rigid_body_impact(v, w, body, ContactPoint{-rock.radius * n, n}, restitution, friction, rolling * rock.radius)
-            .rebound;
+    const Rebound general = rigid_body_impact(v, w, body, ContactPoint{-rock.radius * n, n}, restitution, friction,
+                                              {rolling * rock.radius, 0})
+                                .rebound;
     const Rebound sphere = rigid_sphere_rebound(v, w, n, rock, restitution, {friction, rolling});
     expect_near(general.velocity, sphere.velocity, 1e-6);
     expect_near(general.spin, sphere.spin, 1e-6);
@@ -246,7 +246,7 @@ TEST(RigidBody, ImpulsesAreMomentumPushAndStayInTheConeOfFriction) {
     const auto after = rigid_body_impact(velocity, spin, box.body(), contacts, {dice.between(0, 0.5), 0}, friction);
     Vec3 momentum, about_centre;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-      const Vec3& impulse = after.impulses[k];
+      const Vec3& impulse = after.by.at[k];
       const double push = impulse.dot(contacts[k].normal);
       EXPECT_GE(push, -1e-9 * box.mass);
       EXPECT_LE(tangential(impulse, contacts[k].normal).norm(), friction * push + 1e-9 * box.mass);
@@ -297,6 +297,56 @@ TEST(RigidBody, ModerateRestitutionIsNotLimited) {
     const auto [box, contacts, velocity, spin] = random_impact(dice, 1);
     EXPECT_FALSE(rigid_body_impact(velocity, spin, box.body(), contacts, {0.5, 0}, dice.between(0, 1.5)).is_limited);
   }
+}
+
+// A body on one contact, held by friction and by the moments that resist rolling and pivoting, stands still in spite of
+// its weight: none of the impulses sets it in motion again.
+TEST(RigidBody, FrictionAndMomentsHoldItTogether) {
+  Dice dice(6);
+  for (int i = 0; i < 1000; ++i) {
+    const auto [box, contacts, velocity, spin] = random_impact(dice, 1 + i % 4);
+    const Vec3 fall = -0.1 * contacts[0].normal + 0.01 * dice.direction();
+    const double ample = 10 * contacts[0].arm.norm();
+    const auto after =
+        held_by_contacts(fall, 0.01 * dice.direction(), box.body(), contacts, 0.01, 1, {ample, ample}, {});
+    ASSERT_TRUE(after.has_settled);
+    EXPECT_LT(after.rebound.velocity.norm(), 1e-6);
+    EXPECT_LT(after.rebound.spin.norm() * contacts[0].arm.norm(), 1e-6);
+  }
+}
+
+// It slips, rolls and pivots on one contact: friction and moments have their limits, and are against what is left.
+TEST(RigidBody, MomentsAreAgainstWhatIsLeftOfASpin) {
+  Dice dice(7);
+  for (int i = 0; i < 1000; ++i) {
+    const auto [box, contacts, velocity, spin] = random_impact(dice, 1);
+    const MomentArms arms{0.05 * contacts[0].arm.norm(), 0.01 * contacts[0].arm.norm()};
+    const auto after = held_by_contacts(velocity, spin, box.body(), contacts, 0.01, 0.1, arms, {});
+    ASSERT_TRUE(after.has_settled);
+    const Vec3& n = contacts[0].normal;
+    const double push = after.by.at[0].dot(n);
+    if (push == 0) continue;
+    const Vec3 rolling = tangential(after.by.moment, n), left = tangential(after.rebound.spin, n);
+    EXPECT_NEAR(rolling.norm(), arms.rolling * push, 1e-5 * arms.rolling * push);
+    EXPECT_NEAR(rolling.dot(left), -rolling.norm() * left.norm(), 1e-4 * rolling.norm() * left.norm());
+    const double pivoting = after.by.moment.dot(n), pivot = after.rebound.spin.dot(n);
+    EXPECT_LE(std::abs(pivoting), arms.pivot * push * (1 + 1e-9));
+    if (std::abs(pivot) < 1e-3) continue;  // it has ended
+    EXPECT_NEAR(pivoting, -std::copysign(arms.pivot * push, pivot), 1e-5 * arms.pivot * push);
+  }
+}
+
+TEST(RigidBody, AContactClosesItsGapAndNoMore) {
+  const Box cube{{1, 1, 1}, 1000, {}};
+  ContactSet contacts;
+  for (ContactPoint point : cube.lower_face(4, unit_z)) {
+    point.gap = 2e-4;
+    contacts.add(point);
+  }
+  const auto after = held_by_contacts({0, 0, -0.1}, Vec3{}, cube.body(), contacts, 0.01, 0.5, {}, {});
+  expect_near(after.rebound.velocity, {0, 0, -0.02}, 1e-7);
+  const auto free = held_by_contacts({0, 0, -0.01}, Vec3{}, cube.body(), contacts, 0.01, 0.5, {}, {});
+  EXPECT_EQ(free.rebound.velocity, Vec3(0, 0, -0.01));
 }
 
 }  // namespace

@@ -150,22 +150,24 @@ inline constexpr double soon_struck = 1e-3;
 /// [m].
 inline constexpr double apart_in_flight = 0.01;
 inline constexpr double clear_in_flight = 1e-5;
-/// It rests if it has hardly moved for so long [s], and the corners this near to the ground [m] hold it: gravity moves it
-/// by less than this share.
+/// It rests if it has hardly moved for so long [s], and the corners this near to the ground [m] hold it: gravity moves
+/// it by less than this share.
 inline constexpr double quiet_at_rest = 0.3;
 inline constexpr double near_touch = 1e-3;
-/// Or if it has hardly moved for so long [s]: on ground near its friction angle, steps take the energy of slow motion.
-inline constexpr double max_quiet = 3;
 inline constexpr double held_share = 1e-3;
+/// It also rests if a step with gravity has left it no more than this share of the step's fall.
+inline constexpr double still_share = 1e-5;
 
 /// Sine of the angle between the slip of a contact and the friction against it, below which they are opposite.
 inline constexpr double slip_direction = 1e-12;
-/// Impulses of several contacts have settled if a round changes them by less than this share of their sum, or after so
-/// many rounds. Larger: contacts sink in or part by this share of the impact's velocity.
-inline constexpr double settled_impulse = 1e-9;
-inline constexpr int max_sweeps = 1000;
+/// Impulses of several contacts have settled if a round changes the velocities of contacts by less than this share of
+/// what all impulses change, in an impact and in a step on the ground, or after so many rounds. Larger: contacts sink in
+/// or part by this share of the impact's velocity, or of the step's fall.
+inline constexpr double settled_impact = 1e-9;
+inline constexpr double settled_step = 1e-6;
+inline constexpr int max_sweeps = 64;
 /// Rounds before impulses change by half steps: twice as slow, but contacts that drive each other settle.
-inline constexpr int sweeps_in_full = 100;
+inline constexpr int sweeps_in_full = 16;
 /// Energy that impulses add, below this share of what they turn over, is rounding or has not settled.
 inline constexpr double energy_by_rounding = 1e-9;
 

@@ -2,132 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 
-#include "talus/core/tolerances.hpp"
+#include "talus/impact/contact_equations.hpp"
+#include "talus/impact/contact_frame.hpp"
 
 namespace talus {
 
 namespace {
-
-/// Across a normal.
-struct Tangent {
-  Vec3 a, b;  // unit, at right angles
-  explicit Tangent(const Vec3& n) {
-    // Away from the axis to which the normal is nearest.
-    const Vec3 away = n.abs().place_of_largest() == 2 ? unit_x : unit_z;
-    a = tangential(away, n).normalized();
-    b = n.cross(a);
-  }
-};
-
-double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
-Vec2 quarter_turn(const Vec2& a) { return {-a.y(), a.x()}; }
-
-/// One contact in its own frame: the first coordinate along the normal, the others across it.
-class ContactFrame {
- public:
-  ContactFrame(const ContactPoint& contact, const BodyInertia& body) : contact_(contact), t_(contact.normal) {
-    const auto column = [&](const Vec3& direction) {
-      const Vec3 turning = body.inverse_inertia * contact.arm.cross(direction);
-      return in_frame(direction / body.mass + turning.cross(contact.arm));
-    };
-    response_ = Mat3::of_columns(column(contact.normal), column(t_.a), column(t_.b));
-    resistance_ = response_.inverse();
-  }
-
-  [[nodiscard]] Vec3 in_frame(const Vec3& v) const { return {v.dot(contact_.normal), v.dot(t_.a), v.dot(t_.b)}; }
-  [[nodiscard]] Vec3 in_terrain(const Vec3& v) const { return v[0] * contact_.normal + v[1] * t_.a + v[2] * t_.b; }
-  /// The change of velocity by an impulse, as a matrix.
-  [[nodiscard]] const Mat3& response() const { return response_; }
-  /// The impulse for a change of velocity.
-  [[nodiscard]] const Mat3& resistance() const { return resistance_; }
-  [[nodiscard]] const Vec3& arm() const { return contact_.arm; }
-
- private:
-  ContactPoint contact_;
-  Tangent t_;
-  Mat3 response_, resistance_;
-};
-
-/// A slipping contact: `wanted` is the change of velocity with which it would stick. With the unit direction d of slip,
-/// Pn = wanted_n / den, den = Ann - mu Ant.d, and the slip is s = -wanted_t + Pn (Ant - mu Att d): it must be along d.
-class Slip {
- public:
-  Slip(const Mat3& response, const Vec3& wanted, double friction)
-      : wanted_(wanted.y(), wanted.z()),
-        coupling_(response.rows[0].y(), response.rows[0].z()),
-        first_(response.rows[1].y(), response.rows[1].z()),
-        second_(response.rows[2].y(), response.rows[2].z()),
-        normal_(response.rows[0].x()),
-        wanted_normal_(wanted.x()),
-        friction_(friction),
-        rounding_(tolerance::slip_direction * (normal_ * wanted.norm())) {}
-
-  /// The impulse, if slip has the direction to which `guess` is near.
-  [[nodiscard]] std::optional<Vec3> impulse_near(const Vec2& guess) const {
-    if (guess.squared_norm() == 0) return std::nullopt;
-    Vec2 d = guess.normalized();
-    for (int step = 0; step < max_steps; ++step) {
-      const double den = denominator(d);
-      const Vec2 s = scaled_slip(d), across = quarter_turn(d);
-      const double off = cross(s, d);
-      if (std::abs(off) <= rounding_) {
-        if (den <= 0 || s.dot(d) < -rounding_) return std::nullopt;
-        const double normal = wanted_normal_ / den;
-        return Vec3{normal, -friction_ * normal * d.x(), -friction_ * normal * d.y()};
-      }
-      const Vec2 slope = friction_ * coupling_.dot(across) * wanted_ - friction_ * wanted_normal_ * times(across);
-      const double change = cross(slope, d) + cross(s, across);
-      if (change == 0) return std::nullopt;
-      d = (d + std::clamp(-off / change, -largest_turn, largest_turn) * across).normalized();
-    }
-    return std::nullopt;
-  }
-  /// From all sides.
-  [[nodiscard]] std::optional<Vec3> impulse_anywhere() const {
-    constexpr int directions = 32;
-    for (int i = 0; i < directions; ++i) {
-      const double angle = 2 * std::numbers::pi * i / directions;
-      if (const auto found = impulse_near({std::cos(angle), std::sin(angle)})) return found;
-    }
-    return std::nullopt;
-  }
-
- private:
-  static constexpr int max_steps = 30;
-  static constexpr double largest_turn = 0.5;  // tangent
-
-  [[nodiscard]] Vec2 times(const Vec2& d) const { return {first_.dot(d), second_.dot(d)}; }
-  [[nodiscard]] double denominator(const Vec2& d) const { return normal_ - friction_ * coupling_.dot(d); }
-  /// The slip times the denominator.
-  [[nodiscard]] Vec2 scaled_slip(const Vec2& d) const {
-    return wanted_normal_ * (coupling_ - friction_ * times(d)) - denominator(d) * wanted_;
-  }
-
-  Vec2 wanted_, coupling_, first_, second_;
-  double normal_, wanted_normal_, friction_;
-  double rounding_;  // of the scaled slip
-};
-
-/// The impulse that changes the contact's velocity by `wanted`, as far as friction can; zero if that is no push.
-/// `near`: one to which it may be near.
-Vec3 impulse_for(const ContactFrame& frame, const Vec3& wanted, double friction, const Vec3& near) {
-  if (wanted.x() <= 0) return {};
-  const Mat3& response = frame.response();
-  const Vec3 sticking = frame.resistance() * wanted;
-  const Vec2 holding(sticking.y(), sticking.z());
-  const double most = friction * sticking.x();
-  if (sticking.x() >= 0 && holding.squared_norm() <= most * most) return sticking;
-  const Slip slip(response, wanted, friction);
-  if (const auto found = slip.impulse_near({-near.y(), -near.z()})) return *found;
-  if (const auto found = slip.impulse_near(-holding)) return *found;
-  if (const auto found = slip.impulse_near({-wanted.y(), -wanted.z()})) return *found;
-  if (const auto found = slip.impulse_anywhere()) return *found;
-  return {wanted.x() / response.rows[0].x(), 0, 0};  // no direction of slip fits it: without friction
-}
 
 /// The body while impulses are sought.
 struct Struck {
@@ -139,111 +22,131 @@ struct Struck {
   [[nodiscard]] Vec3 velocity_at(const Vec3& arm) const { return velocity + spin.cross(arm); }
 };
 
-/// The moment that resists rolling over ground of a normal, for as large a push as there is.
-class RollingMoment {
+/// The moment that resists rolling and pivoting on ground of a normal, for as large a push as there is.
+class ResistingMoment {
  public:
-  RollingMoment(const Vec3& n, const BodyInertia& body, double arm) : t_(n), arm_(arm) {
-    if (arm_ == 0) return;
-    const Vec3 a = body.inverse_inertia * t_.a, b = body.inverse_inertia * t_.b;
-    // Of the inverse inertia about both tangents, the inverse.
-    const double aa = a.dot(t_.a), ab = a.dot(t_.b), bb = b.dot(t_.b), det = aa * bb - ab * ab;
-    first_ = Vec2(bb, -ab) / det;
-    second_ = Vec2(-ab, aa) / det;
+  ResistingMoment(const Vec3& n, const BodyInertia& body, MomentArms arms)
+      : n_(n), inverse_inertia_(body.inverse_inertia), arms_(arms) {
+    if (is_none()) return;
+    inertia_ = inverse_inertia_.inverse();
+    // Of the inverse inertia about axes across the normal, the principal values and directions.
+    const Tangent t(n);
+    const Vec3 a = inverse_inertia_ * t.a;
+    const double aa = a.dot(t.a), ab = a.dot(t.b), bb = t.b.dot(inverse_inertia_ * t.b);
+    const double middle = 0.5 * (aa + bb), aside = 0.5 * (aa - bb), apart = std::hypot(aside, ab);
+    const Vec2 first = apart <= tolerance::energy_by_rounding * middle ? Vec2(1, 0)
+                       : aside > 0                                     ? Vec2(apart + aside, ab).normalized()
+                                                                       : Vec2(ab, apart - aside).normalized();
+    values_ = {middle + apart, middle - apart};
+    first_ = first.x() * t.a + first.y() * t.b;
+    second_ = n.cross(first_);
   }
-  [[nodiscard]] bool is_none() const { return arm_ == 0; }
-  /// The moment impulse that ends the rolling of a spin to which `moment` has been added, as far as `push` allows.
+  [[nodiscard]] bool is_none() const { return arms_.rolling == 0 && arms_.pivot == 0; }
+  /// A moment within the limits for a push.
+  [[nodiscard]] Vec3 within(const Vec3& moment, double push) const {
+    const double pivoting = moment.dot(n_), most_pivot = arms_.pivot * push, most_rolling = arms_.rolling * push;
+    Vec3 rolling = moment - pivoting * n_;
+    if (const double size = rolling.norm(); size > most_rolling) rolling = most_rolling / size * rolling;
+    return rolling + std::clamp(pivoting, -most_pivot, most_pivot) * n_;
+  }
+  /// The moment impulse that ends the rolling and the pivoting of a spin to which `moment` has been added, or, as large
+  /// as `push` allows, is against what is left of them.
   [[nodiscard]] Vec3 ending(const Vec3& spin, const Vec3& moment, double push) const {
-    const Vec2 rate(spin.dot(t_.a), spin.dot(t_.b));
-    Vec2 wanted(moment.dot(t_.a) - first_.dot(rate), moment.dot(t_.b) - second_.dot(rate));
-    const double most = arm_ * push, size = wanted.norm();
-    if (size > most) wanted = most / size * wanted;
-    return wanted.x() * t_.a + wanted.y() * t_.b;
+    const double most_rolling = arms_.rolling * push, most_pivot = arms_.pivot * push;
+    const Vec3 both = moment - inertia_ * spin;
+    const double about = both.dot(n_);
+    if (std::abs(about) <= most_pivot && (both - about * n_).norm() <= most_rolling) return both;
+    const double pivoting = moment.dot(n_);
+    const Vec3 rolling = against(spin - inverse_inertia_ * (moment - pivoting * n_), most_rolling);
+    if (arms_.pivot == 0) return rolling;
+    const double left = (spin + inverse_inertia_ * (rolling + pivoting * n_ - moment)).dot(n_);
+    return rolling + std::clamp(pivoting - left / n_.dot(inverse_inertia_ * n_), -most_pivot, most_pivot) * n_;
   }
 
  private:
-  Tangent t_;
-  double arm_;  // moment over push [m]
-  Vec2 first_, second_;
+  /// What ends the rolling of a spin; or, of the size `most`, is against what is then left: m = -w' / k. By Newton's
+  /// method for k, which comes to it from below (J. More and D. Sorensen, 1983).
+  [[nodiscard]] Vec3 against(const Vec3& spin, double most) const {
+    constexpr int max_steps = 20;
+    constexpr double settled = 1e-13;
+    if (most <= 0) return {};
+    const Vec2 rate(spin.dot(first_), spin.dot(second_));
+    double k = 0;
+    Vec2 m;
+    for (int step = 0; step < max_steps; ++step) {
+      const Vec2 sum(values_.x() + k, values_.y() + k);
+      m = {-rate.x() / sum.x(), -rate.y() / sum.y()};
+      const double size = m.norm();
+      if (size - most <= settled * most) break;
+      k += (size - most) / most * size * size / (m.x() * m.x() / sum.x() + m.y() * m.y() / sum.y());
+    }
+    const double size = m.norm();
+    if (size > most) m = most / size * m;
+    return m.x() * first_ + m.y() * second_;
+  }
+
+  Vec3 n_;
+  const Mat3& inverse_inertia_;
+  MomentArms arms_;
+  Mat3 inertia_;
+  Vec3 first_, second_;  // principal directions across the normal, unit
+  Vec2 values_;
 };
 
 class Impulses {
  public:
-  /// `rolling_arm`: of the moment that resists rolling [m]; 0: none.
   Impulses(const Vec3& velocity, const Vec3& spin, const BodyInertia& body, const ContactSet& contacts, double friction,
-           double rolling_arm)
+           MomentArms arms)
       : before_{velocity, spin},
         body_(body),
         friction_(friction),
+        arms_(arms),
         size_(contacts.size()),
-        rolling_(contacts[0].normal, body, rolling_arm) {
+        resistance_(contacts[0].normal, body, arms) {
     for (std::size_t i = 0; i < size_; ++i) {
       frames_[i].emplace(contacts[i], body);
       approach_[i] = frames_[i]->in_frame(before_.velocity_at(contacts[i].arm));
     }
   }
 
-  [[nodiscard]] RigidBodyImpact with(Restitution restitution) const {
-    constexpr double max_kept = 0.98;  // of a change by the next
-    RigidBodyImpact result;
-    Struck struck = before_;
-    std::array<Vec3, ContactSet::most> impulses, changes;  // in the frames of the contacts; changes: of the last round
-    Vec3 moment, last_moment_change;
-    const bool is_single = size_ == 1 && rolling_.is_none();
-    result.has_settled = is_single;
-    const int sweeps = is_single ? 1 : tolerance::max_sweeps;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      double changed = 0, total = 0, squared_before = 0, product = 0;
-      for (std::size_t i = 0; i < size_; ++i) {
-        const ContactFrame& frame = *frames_[i];
-        const Vec3& u = approach_[i];
-        const Vec3 target(restitution.normal * std::max(-u.x(), 0.0), restitution.tangential * u.y(),
-                          restitution.tangential * u.z());
-        const Vec3 now = frame.in_frame(struck.velocity_at(frame.arm()));
-        const Vec3 without = now - frame.response() * impulses[i];
-        Vec3 impulse = impulse_for(frame, target - without, friction_, impulses[i]);
-        // Contacts that drive each other from stick to slip and back settle by half steps.
-        if (sweep >= tolerance::sweeps_in_full) impulse = 0.5 * (impulse + impulses[i]);
-        const Vec3 change = impulse - impulses[i], before = std::exchange(changes[i], change);
-        struck.add(frame.in_terrain(change), frame.arm(), body_);
-        changed += change.norm();
-        total += impulse.norm();
-        squared_before += before.squared_norm();
-        product += before.dot(change);
-        impulses[i] = impulse;
-      }
-      Vec3 moment_change;
-      if (!rolling_.is_none()) {
-        double push = 0;
-        for (std::size_t i = 0; i < size_; ++i) push += impulses[i].x();
-        const Vec3 next = rolling_.ending(struck.spin, moment, push);
-        moment_change = next - moment;
-        struck.spin += body_.inverse_inertia * moment_change;
-        moment = next;
-        // In the unit of an impulse, at the arm of the first contact.
-        const double arm = frames_[0]->arm().norm();
-        const Vec3 now = moment_change / arm, before = std::exchange(last_moment_change, moment_change) / arm;
-        changed += now.norm();
-        squared_before += before.squared_norm();
-        product += before.dot(now);
-      }
-      if (changed <= tolerance::settled_impulse * total) {
-        result.has_settled = true;
-        break;
-      }
-      // Changes that shrink by the same share each round, summed at once (A. Aitken's method).
-      const bool is_extrapolated = sweep % 3 == 2 && sweep < tolerance::sweeps_in_full;
-      if (!is_extrapolated || !(product > 0 && product < max_kept * squared_before)) continue;
-      const double share = product / (squared_before - product);
-      for (std::size_t i = 0; i < size_; ++i) {
-        impulses[i] += share * changes[i];
-        struck.add(frames_[i]->in_terrain(share * changes[i]), frames_[i]->arm(), body_);
-      }
-      moment += share * moment_change;
-      struck.spin += share * (body_.inverse_inertia * moment_change);
+  /// Contacts may close their gaps in a duration.
+  void let_close(const ContactSet& contacts, double duration) {
+    for (std::size_t i = 0; i < size_; ++i) closing_[i] = std::max(contacts[i].gap, 0.0) / duration;
+  }
+  /// `near`: the impulses to begin with; null: none.
+  [[nodiscard]] RigidBodyImpact with(Restitution restitution, const ContactImpulses* near = nullptr) const {
+    std::array<Vec3, ContactSet::most> targets;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Vec3& u = approach_[i];
+      targets[i] = {restitution.normal * std::max(-u.x(), 0.0) - closing_[i], restitution.tangential * u.y(),
+                    restitution.tangential * u.z()};
     }
-    result.moment = moment;
-    for (std::size_t i = 0; i < size_; ++i) result.impulses[i] = frames_[i]->in_terrain(impulses[i]);
-    result.rebound = {struck.velocity, struck.spin};
+    Sought sought{before_, {}, {}};
+    if (near != nullptr) {
+      for (std::size_t i = 0; i < size_; ++i) sought.impulses[i] = frames_[i]->in_frame(near->at[i]);
+      if (!resistance_.is_none()) sought.moment = near->moment;
+      sought.struck = struck_by(sought);
+    }
+    RigidBodyImpact result;
+    const bool is_single = size_ == 1 && resistance_.is_none();
+    // One contact near to how it is held needs no round before the equations; more settle sooner after one.
+    const bool starts_near = !is_single && size_ == 1 && sought.impulses[0] != Vec3{};
+    const double settled = near != nullptr ? tolerance::settled_step : tolerance::settled_impact;
+    std::optional<ContactEquations> equations;
+    for (int round = starts_near ? 0 : 1; round <= tolerance::max_sweeps && !result.has_settled; ++round) {
+      if (round > 0) {
+        // Contacts that drive each other from stick to slip and back settle by half steps.
+        const bool has_settled = take_turns(sought, targets, settled, round > tolerance::sweeps_in_full ? 0.5 : 1);
+        result.has_settled = is_single || has_settled;
+      }
+      const bool is_power_of_two = (round & (round - 1)) == 0;  // or 0
+      if (result.has_settled || !is_power_of_two) continue;
+      if (!equations) set_equations(equations.emplace(body_, friction_, arms_), targets);
+      result.has_settled = solve(*equations, settled, sought);
+    }
+    result.by.moment = sought.moment;
+    for (std::size_t i = 0; i < size_; ++i) result.by.at[i] = frames_[i]->in_terrain(sought.impulses[i]);
+    result.rebound = {sought.struck.velocity, sought.struck.spin};
     return result;
   }
   /// The kinetic energy that impulses add: P (u + u') / 2 of each [J].
@@ -252,9 +155,12 @@ class Impulses {
     double sum = 0;
     for (std::size_t i = 0; i < size_; ++i) {
       const Vec3& arm = frames_[i]->arm();
-      sum += 0.5 * impact.impulses[i].dot(before_.velocity_at(arm) + after.velocity_at(arm));
+      sum += 0.5 * impact.by.at[i].dot(before_.velocity_at(arm) + after.velocity_at(arm));
     }
-    return sum + 0.5 * impact.moment.dot(before_.spin + after.spin);
+    return sum + 0.5 * impact.by.moment.dot(before_.spin + after.spin);
+  }
+  [[nodiscard]] bool gains(const RigidBodyImpact& impact) const {
+    return work(impact) > tolerance::energy_by_rounding * turnover(impact);
   }
   /// Impulses that have not settled, lowered by a common factor to where they take most energy.
   [[nodiscard]] RigidBodyImpact lowered(RigidBodyImpact impact) const {
@@ -262,19 +168,19 @@ class Impulses {
     double taken = 0, returned = 0;  // P u and P (u' - u)
     for (std::size_t i = 0; i < size_; ++i) {
       const Vec3& arm = frames_[i]->arm();
-      taken -= impact.impulses[i].dot(before_.velocity_at(arm));
-      returned += impact.impulses[i].dot(after.velocity_at(arm) - before_.velocity_at(arm));
+      taken -= impact.by.at[i].dot(before_.velocity_at(arm));
+      returned += impact.by.at[i].dot(after.velocity_at(arm) - before_.velocity_at(arm));
     }
-    taken -= impact.moment.dot(before_.spin);
-    returned += impact.moment.dot(after.spin - before_.spin);
+    taken -= impact.by.moment.dot(before_.spin);
+    returned += impact.by.moment.dot(after.spin - before_.spin);
     const double factor = taken > 0 ? std::min(1.0, taken / returned) : 0;
     Struck struck = before_;
     for (std::size_t i = 0; i < size_; ++i) {
-      impact.impulses[i] *= factor;
-      struck.add(impact.impulses[i], frames_[i]->arm(), body_);
+      impact.by.at[i] *= factor;
+      struck.add(impact.by.at[i], frames_[i]->arm(), body_);
     }
-    impact.moment *= factor;
-    struck.spin += body_.inverse_inertia * impact.moment;
+    impact.by.moment *= factor;
+    struck.spin += body_.inverse_inertia * impact.by.moment;
     impact.rebound = {struck.velocity, struck.spin};
     return impact;
   }
@@ -282,44 +188,125 @@ class Impulses {
   [[nodiscard]] double turnover(const RigidBodyImpact& impact) const {
     double sum = 0;
     for (std::size_t i = 0; i < size_; ++i) {
-      sum += impact.impulses[i].norm() * before_.velocity_at(frames_[i]->arm()).norm();
+      sum += impact.by.at[i].norm() * before_.velocity_at(frames_[i]->arm()).norm();
     }
     return sum;
   }
 
  private:
+  /// Impulses in the frames of the contacts, and the body after them.
+  struct Sought {
+    Struck struck;
+    std::array<Vec3, ContactSet::most> impulses;
+    Vec3 moment;
+  };
+
+  [[nodiscard]] Struck struck_by(const Sought& sought) const {
+    Struck struck = before_;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (sought.impulses[i] == Vec3{}) continue;
+      struck.add(frames_[i]->in_terrain(sought.impulses[i]), frames_[i]->arm(), body_);
+    }
+    struck.spin += body_.inverse_inertia * sought.moment;
+    return struck;
+  }
+  /// Solves each contact once, and then the moment. Whether that changes next to no velocity. `share`: of the changes
+  /// made.
+  [[nodiscard]] bool take_turns(Sought& sought, const std::array<Vec3, ContactSet::most>& targets, double settled,
+                                double share) const {
+    double changed = 0, total = 0, push = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const ContactFrame& frame = *frames_[i];
+      Vec3& impulse = sought.impulses[i];
+      const Vec3 now = frame.in_frame(sought.struck.velocity_at(frame.arm()));
+      const Vec3 without = now - frame.response() * impulse;
+      Vec3 next = impulse_for(frame, targets[i] - without, friction_, impulse);
+      if (share != 1) next = impulse + share * (next - impulse);
+      const Vec3 change = next - impulse;
+      if (change != Vec3{}) sought.struck.add(frame.in_terrain(change), frame.arm(), body_);
+      changed += (frame.response() * change).norm();
+      total += (frame.response() * next).norm();
+      push += next.x();
+      impulse = next;
+    }
+    if (!resistance_.is_none()) {
+      const Vec3 change = resistance_.ending(sought.struck.spin, sought.moment, push) - sought.moment;
+      sought.struck.spin += body_.inverse_inertia * change;
+      sought.moment += change;
+      changed += (body_.inverse_inertia * change).norm() * frames_[0]->arm().norm();
+    }
+    return changed <= settled * total;
+  }
+  void set_equations(ContactEquations& equations, const std::array<Vec3, ContactSet::most>& targets) const {
+    for (std::size_t i = 0; i < size_; ++i) equations.add(*frames_[i], approach_[i] - targets[i]);
+    if (!resistance_.is_none()) equations.add_moment(frames_[0]->axes(), frames_[0]->arm().norm(), before_.spin);
+    equations.prepare();
+  }
+  /// Impulses found are off by rounding and what is settled: the limits of friction are kept exactly.
+  [[nodiscard]] bool solve(const ContactEquations& equations, double settled, Sought& sought) const {
+    const double scale = frames_[0]->arm().norm();
+    ContactEquations::Unknowns z{};
+    for (std::size_t i = 0; i < size_; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) z[3 * i + k] = sought.impulses[i][k];
+    }
+    const Vec3 moment = frames_[0]->in_frame(sought.moment) / scale;
+    for (std::size_t k = 0; k < 3; ++k) z[3 * size_ + k] = moment[k];
+    if (!equations.solve(z, settled)) return false;
+    double push = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double normal = std::max(z[3 * i], 0.0), along = std::hypot(z[3 * i + 1], z[3 * i + 2]);
+      const double kept = along > friction_ * normal ? friction_ * normal / along : 1;
+      sought.impulses[i] = {normal, kept * z[3 * i + 1], kept * z[3 * i + 2]};
+      push += normal;
+    }
+    if (!resistance_.is_none()) {
+      const Vec3 found = scale * frames_[0]->in_terrain({z[3 * size_], z[3 * size_ + 1], z[3 * size_ + 2]});
+      sought.moment = resistance_.within(found, push);
+    }
+    sought.struck = struck_by(sought);
+    return true;
+  }
+
   Struck before_;
   const BodyInertia& body_;
   double friction_;
+  MomentArms arms_;
   std::size_t size_;
-  RollingMoment rolling_;
+  ResistingMoment resistance_;
   std::array<std::optional<ContactFrame>, ContactSet::most> frames_;
-  std::array<Vec3, ContactSet::most> approach_;  // velocities before, in the frames
+  std::array<Vec3, ContactSet::most> approach_;     // velocities before, in the frames
+  std::array<double, ContactSet::most> closing_{};  // how fast they may approach the ground [m/s]
 };
 
 }  // namespace
 
 RigidBodyImpact rigid_body_impact(const Vec3& velocity, const Vec3& spin, const BodyInertia& body,
                                   const ContactSet& contacts, Restitution restitution, double friction,
-                                  double rolling_arm) {
-  const Impulses impulses(velocity, spin, body, contacts, friction, rolling_arm);
-  const auto gains = [&](const RigidBodyImpact& impact) {
-    return impulses.work(impact) > tolerance::energy_by_rounding * impulses.turnover(impact);
-  };
+                                  MomentArms arms) {
+  const Impulses impulses(velocity, spin, body, contacts, friction, arms);
   RigidBodyImpact impact = impulses.with(restitution);
-  if (!gains(impact)) return impact;
+  if (!impulses.gains(impact)) return impact;
   double least = 0, most = 1;  // factors: with `least` energy does not grow, with `most` it does
   impact = impulses.with({});
   constexpr int halvings = 20;
   for (int i = 0; i < halvings; ++i) {
     const double factor = 0.5 * (least + most);
     const RigidBodyImpact lower = impulses.with({factor * restitution.normal, factor * restitution.tangential});
-    (gains(lower) ? most : least) = factor;
+    (impulses.gains(lower) ? most : least) = factor;
     if (least == factor) impact = lower;
   }
-  if (gains(impact)) impact = impulses.lowered(impact);
+  if (impulses.gains(impact)) impact = impulses.lowered(impact);
   impact.is_limited = true;
   return impact;
+}
+
+RigidBodyImpact held_by_contacts(const Vec3& velocity, const Vec3& spin, const BodyInertia& body,
+                                 const ContactSet& contacts, double duration, double friction, MomentArms arms,
+                                 const ContactImpulses& near) {
+  Impulses impulses(velocity, spin, body, contacts, friction, arms);
+  impulses.let_close(contacts, duration);
+  const RigidBodyImpact impact = impulses.with({}, &near);
+  return impulses.gains(impact) ? impulses.lowered(impact) : impact;
 }
 
 }  // namespace talus

@@ -89,6 +89,14 @@ struct Tumbling {
   std::uint32_t quick = 0;  // impacts in a row, each right after the last
 };
 
+/// What held a corner of a rock with a shape in a step, over the rock's mass and the step's duration [m/s2]: near to
+/// what holds it in the next.
+struct CornerHold {
+  static constexpr std::uint32_t none = 0xffffffffU;
+  std::uint32_t corner = none;
+  std::array<float, 3> pull{};
+};
+
 /// A rock with a shape on the ground (touching.hpp).
 struct Touching {
   Orientation orientation;
@@ -96,6 +104,8 @@ struct Touching {
   GroundFriction friction;
   MaterialId ground;
   double apart = 0, quiet = 0;  // how long nothing has pushed it, and how long it has hardly moved [s]
+  std::array<CornerHold, 4> holds{};
+  std::array<float, 3> moment{};  // in that step, over mass and duration [m2/s2]
 };
 
 struct Ended {

@@ -68,6 +68,6 @@ struct RockState {
   std::uint32_t short_legs = 0;  // since the last that counted as a step
   std::int64_t steps = 0;        // flights and stretches so far, and one for every hundred short legs
 };
-static_assert(std::is_trivially_copyable_v<RockState> && sizeof(RockState) == 360);
+static_assert(std::is_trivially_copyable_v<RockState> && sizeof(RockState) == 440);
 
 }  // namespace talus

@@ -72,12 +72,11 @@ template <class Surface, class Sink>
   const Restitution restitution{rock.laws.restitution_scaling.scaled(rn, approach, body.mass), 0};
   const double friction = draw.dynamic_friction(material);
   const BodyInertia inertia = inertia_of(body, orientation);
-  const double rolling_arm =
-      rolling_resists_in_impacts(rock.laws.impact) ? draw.rolling_friction(material) * rock.rock.radius : 0;
-  Rebound rebound =
-      rigid_body_impact(motion.velocity, spin, inertia, struck, restitution, friction, rolling_arm).rebound;
+  const MomentArms arms{
+      rolling_resists_in_impacts(rock.laws.impact) ? draw.rolling_friction(material) * rock.rock.radius : 0, 0};
+  Rebound rebound = rigid_body_impact(motion.velocity, spin, inertia, struck, restitution, friction, arms).rebound;
   if (face) {  // the rebound must not lead into the ground itself
-    rebound = rigid_body_impact(rebound.velocity, rebound.spin, inertia, contacts, {}, friction, rolling_arm).rebound;
+    rebound = rigid_body_impact(rebound.velocity, rebound.spin, inertia, contacts, {}, friction, arms).rebound;
   }
   const Vec3& leaving = rebound.spin;
   motion.velocity = rebound.velocity;

@@ -2,12 +2,12 @@
 // A rock with a shape on the ground: it rocks, slides on a face, tumbles slowly, or comes to rest. Corners that meet
 // the ground faster than the cutoff strike it (striking_body.hpp); the others are held by impulses, step by step.
 //
-// One step of Moreau's method: half a step with the velocities at its start; there the corners within 0.1 mm of the
-// ground, and the impulses with which none of them moves further towards it, within friction (impact/rigid_body.hpp,
-// without restitution); half a step with the velocities after them. The angular momentum between impulses is constant,
-// exactly. Source: R. Leine et al. (2014), doi 10.1007/s11044-013-9393-4, whose steps are these. When a corner that
-// hovers comes down again, a step would add at most m (g dt)^2 / 8 of energy: it is taken away from the velocities, and
-// then from the way.
+// One step of Moreau's method: half a step with the velocities at its start; there the corners that are on the ground
+// or may be by the middle of the next step, and the impulses with which none of them moves further towards it than its
+// gap, within friction (impact/rigid_body.hpp, without restitution); half a step with the velocities after them. The
+// angular momentum between impulses is constant, exactly. Source: R. Leine et al. (2014),
+// doi 10.1007/s11044-013-9393-4, whose steps are these. When a corner that has just left the ground comes down again, a
+// step would add at most m (g dt)^2 / 8 of energy: it is taken away from the velocities, and then from the way.
 
 #include "talus/trajectory/tumbling.hpp"
 
@@ -41,25 +41,37 @@ template <class Surface>
   return step;
 }
 
-/// The spin after a moment impulse [N m s] about the normal `n` that resists it, and ends it at most.
-[[nodiscard]] inline Vec3 resisted_pivot(const Vec3& spin, const Vec3& n, const BodyInertia& inertia, double moment) {
-  const Vec3 answer = inertia.inverse_inertia * n;
-  const double pivot = spin.dot(n);
-  return spin - std::copysign(std::min(moment, std::abs(pivot) / n.dot(answer)), pivot) * answer;
+/// The arms of the moments that resist a body on the ground. Friction under a contact of the size that resists rolling,
+/// mu_r r, resists pivoting: 2/3 mu Pn mu_r r, of a disc that presses evenly.
+template <class Surface>
+[[nodiscard]] MomentArms moment_arms(const MovingRock<Surface>& rock, const ContactFriction& friction) {
+  const double arm = friction.rolling * rock.rock.radius;
+  return {arm, 2.0 / 3 * friction.dynamic * arm};
 }
 
-/// The impulses that keep contacts from moving further towards the ground. Friction under a contact of the size that
-/// resists rolling, mu_r r, resists pivoting: 2/3 mu Pn mu_r r, of a disc that presses evenly.
+/// The impulses of a step are near to those that held the body in the last one: kept in Touching, in proportion to mass
+/// and duration.
 template <class Surface>
-[[nodiscard]] RigidBodyImpact held_by(const MovingRock<Surface>& rock, const ContactSet& contacts,
-                                      const GroundFriction& friction, const BodyInertia& inertia, const Vec3& velocity,
-                                      const Vec3& spin) {
-  const double arm = friction.sphere.rolling * rock.rock.radius;
-  RigidBodyImpact held = rigid_body_impact(velocity, spin, inertia, contacts, {}, friction.sphere.dynamic, arm);
-  double push = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) push += held.impulses[i].dot(contacts[i].normal);
-  held.rebound.spin = resisted_pivot(held.rebound.spin, contacts[0].normal, inertia,
-                                     2.0 / 3 * friction.sphere.dynamic * arm * std::max(push, 0.0));
+[[nodiscard]] RigidBodyImpact held_by(const MovingRock<Surface>& rock, const ContactSet& contacts, Touching& phase,
+                                      double dt, const BodyInertia& inertia, const Vec3& velocity, const Vec3& spin) {
+  const double unit = rock.rock.mass * dt;
+  ContactImpulses near;
+  near.moment = unit * Vec3(phase.moment[0], phase.moment[1], phase.moment[2]);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (const CornerHold& hold : phase.holds) {
+      if (hold.corner == contacts[i].corner) near.at[i] = unit * Vec3(hold.pull[0], hold.pull[1], hold.pull[2]);
+    }
+  }
+  const ContactFriction& friction = phase.friction.sphere;
+  const RigidBodyImpact held =
+      held_by_contacts(velocity, spin, inertia, contacts, dt, friction.dynamic, moment_arms(rock, friction), near);
+  const auto kept = [&](const Vec3& v) {
+    return std::array{static_cast<float>(v[0] / unit), static_cast<float>(v[1] / unit),
+                      static_cast<float>(v[2] / unit)};
+  };
+  phase.holds = {};
+  for (std::size_t i = 0; i < contacts.size(); ++i) phase.holds[i] = {contacts[i].corner, kept(held.by.at[i])};
+  phase.moment = kept(held.by.moment);
   return held;
 }
 
@@ -68,7 +80,10 @@ template <class Surface>
 [[nodiscard]] bool is_held(const MovingRock<Surface>& rock, const BodyInertia& inertia, const ContactSet& contacts,
                            const GroundFriction& friction) {
   const Vec3 pull = rock.laws.timestep * rock.laws.gravity;
-  const auto [velocity, spin] = held_by(rock, contacts, friction, inertia, pull, Vec3{}).rebound;
+  constexpr double ever = std::numeric_limits<double>::infinity();
+  const auto [velocity, spin] = held_by_contacts(pull, Vec3{}, inertia, contacts, ever, friction.sphere.dynamic,
+                                                 moment_arms(rock, friction.sphere), {})
+                                    .rebound;
   return velocity.norm() + spin.norm() * rock.body->reach <= tolerance::held_share * pull.norm();
 }
 
@@ -139,23 +154,39 @@ template <class Surface, class Sink>
   return std::nullopt;
 }
 
-/// The middle of a step: how the body is turned there, and what touches the ground.
+/// The middle of a step: how the body is turned there, and what touches the ground or may before the next.
 struct HalfStep {
   Orientation orientation;
   ContactSet contacts;
 };
 
+/// How far from the ground a corner may be in the middle of a step so that it counts [m]: it does not strike, so by the
+/// next it comes nearer by no more than this.
+template <class Surface>
+[[nodiscard]] double reach_in(const MovingRock<Surface>& rock, double dt) {
+  return std::max(tolerance::one_touch, dt * rock.leaving_speed);
+}
+
 template <class Surface>
 [[nodiscard]] HalfStep half_step(const MovingRock<Surface>& rock, const Touching& phase, double dt) {
   const Orientation halfway = Orientation::of_turn(0.5 * dt * phase.spin) * phase.orientation;
   const Posture middle = rock.body->at(rock.motion.position + 0.5 * dt * rock.motion.velocity, halfway.matrix());
-  return {halfway, touched_by(rock.surface, middle, tolerance::one_touch).contacts()};
+  return {halfway, touched_by(rock.surface, middle, reach_in(rock, dt)).contacts()};
 }
 
-/// Corners that come down faster than the cutoff.
+/// A contact where the corner will touch the ground. Contacts of a face are then in one plane, whatever their gaps are:
+/// closing these does not make some of them slip.
+[[nodiscard]] inline ContactPoint on_ground(ContactPoint contact) {
+  contact.arm -= contact.gap * contact.normal;
+  return contact;
+}
+
+/// Corners that come down faster than the cutoff. Those that do, but are not there yet, do not hold the body: `held`
+/// has all others.
 struct Strikes {
   ContactSet contacts;  // with their arms at the start of the step
-  double until = 0;     // the first of them touches the ground [s]
+  ContactSet held;
+  double until = 0;  // the first of them touches the ground [s]
 };
 
 template <class Surface>
@@ -166,7 +197,11 @@ template <class Surface>
     ContactPoint at_start = contact;
     at_start.arm = start.arm(contact.corner);
     const double approach = -(rock.motion.velocity + phase.spin.cross(at_start.arm)).dot(contact.normal);
-    if (approach <= rock.leaving_speed) continue;
+    if (approach <= rock.leaving_speed) {
+      strikes.held.add(on_ground(contact));
+      continue;
+    }
+    if (contact.gap > tolerance::one_touch) continue;
     const double until =
         std::max(0.0, clearance(rock.surface, start.centre + at_start.arm) * contact.normal.z() / approach);
     strikes.until = strikes.contacts.size() == 0 ? until : std::min(strikes.until, until);
@@ -191,7 +226,8 @@ template <class Surface, class Sink>
   const double energy = step.energy(motion.position, motion.velocity, start.to_body(phase.spin));
   const Vec3 momentum = step.momentum_with(start, phase.spin);
   HalfStep half = half_step(rock, phase, dt);
-  if (Strikes strikes = strikes_in(rock, phase, half.contacts); strikes.contacts.size() > 0) {
+  Strikes strikes = strikes_in(rock, phase, half.contacts);
+  if (strikes.contacts.size() > 0) {
     // The step ends where the corner comes down, unless that is here.
     if (strikes.until > tolerance::soon_struck * dt) {
       dt = std::min(dt, strikes.until);
@@ -200,7 +236,8 @@ template <class Surface, class Sink>
     }
     if (strikes.contacts.size() > 0) return NextPhase{strike_with(rock, start, phase.spin, strikes.contacts, 0)};
   }
-  const auto& [halfway, contacts] = half;
+  const Orientation& halfway = half.orientation;
+  const ContactSet& contacts = strikes.held;
 
   Vec3 velocity = motion.velocity + dt * rock.laws.gravity;
   if (phase.friction.drag > 0) velocity *= std::exp(-phase.friction.drag * dt);
@@ -213,12 +250,15 @@ template <class Surface, class Sink>
       phase.ground = rock.material_at(facet);
       phase.friction = friction_at(rock, facet);
     }
-    const RigidBodyImpact held = held_by(rock, contacts, phase.friction, inertia, velocity, spin);
+    const RigidBodyImpact held = held_by(rock, contacts, phase, dt, inertia, velocity, spin);
     is_pushed =
-        std::any_of(held.impulses.begin(), held.impulses.end(), [](const Vec3& impulse) { return impulse != Vec3{}; });
+        std::any_of(held.by.at.begin(), held.by.at.end(), [](const Vec3& impulse) { return impulse != Vec3{}; });
     velocity = held.rebound.velocity;
     spin = held.rebound.spin;
   }
+
+  const bool is_still =
+      is_pushed && velocity.norm() + spin.norm() * body.reach <= tolerance::still_share * dt * rock.laws.gravity.norm();
 
   const Vec3 after_push = step.momentum_with(halfway, spin);
   Vec3 way = 0.5 * dt * (motion.velocity + velocity);
@@ -255,13 +295,15 @@ template <class Surface, class Sink>
   }
   const bool is_slow =
       velocity.norm() < rock.laws.stopped_velocity && end_spin.norm() * body.reach < rock.laws.stopped_velocity;
+  if (is_still) return NextPhase{come_to_rest(rock)};
   phase.quiet = is_slow ? phase.quiet + dt : 0;
   if (phase.quiet > tolerance::quiet_at_rest) {
     // Corners that nearly touch will hold it, too: from step to step, some of them hover.
     const auto near =
         touched_by(rock.surface, body.at(motion.position, end.matrix()), tolerance::near_touch).contacts();
-    const bool is_at_rest = near.size() > 0 && is_held(rock, inertia_of(body, end), near, phase.friction);
-    if (is_at_rest || phase.quiet > tolerance::max_quiet) return NextPhase{come_to_rest(rock)};
+    if (near.size() > 0 && is_held(rock, inertia_of(body, end), near, phase.friction)) {
+      return NextPhase{come_to_rest(rock)};
+    }
   }
   return std::nullopt;
 }
