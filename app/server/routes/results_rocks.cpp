@@ -1,7 +1,10 @@
 #include <fmt/format.h>
+
+#include <algorithm>
 #include <optional>
 
 #include "http/arrays.hpp"
+#include "results/drawn_blocks.hpp"
 #include "results/drawn_paths.hpp"
 #include "results/end_points.hpp"
 #include "results/one_rock.hpp"
@@ -76,6 +79,32 @@ Answer paths_answer(const DrawnPaths& paths, Json header,
   return arrays.answer();
 }
 
+Answer blocks_answer(const DrawnBlocks& blocks) {
+  Arrays arrays(Json{{"origin", {blocks.origin.x(), blocks.origin.y(), blocks.origin.z()}}});
+  add(arrays, "rocks", blocks.rocks);
+  add(arrays, "corner_starts", blocks.corner_starts);
+  add(arrays, "triangle_starts", blocks.triangle_starts);
+  add(arrays, "pose_starts", blocks.pose_starts);
+  add(arrays, "corners", blocks.corners);
+  add(arrays, "triangles", blocks.triangles);
+  add(arrays, "times", blocks.times);
+  add(arrays, "positions", blocks.positions);
+  add(arrays, "turns", blocks.turns);
+  return arrays.answer();
+}
+
+/// The rocks that a request for blocks names. Refuses (400) what is not a list of numbers.
+std::vector<std::uint64_t> rocks_in(const Call& call) {
+  call.only({"rocks"});
+  const auto list = call.body.find("rocks");
+  if (list == call.body.end()) throw Refusal(400, "rocks", "is missing");
+  const auto is_number = [](const Json& each) { return each.is_number_unsigned(); };
+  if (!list->is_array() || list->size() > DrawnBlocks::max_rocks || !std::ranges::all_of(*list, is_number))
+    throw Refusal(400, "rocks", "is not valid",
+                  fmt::format("expected a list of at most {} numbers of rocks", DrawnBlocks::max_rocks));
+  return list->get<std::vector<std::uint64_t>>();
+}
+
 constexpr double share_confidence = 0.95;
 
 /// A count of rocks, and the share behind it with its confidence interval.
@@ -107,8 +136,21 @@ void add_rock_routes(Router& router, RunStore& runs, RunModels& models, AskedRun
     const auto built = models.find(run);
     const DrawnPaths paths =
         drawn_paths(folder, read_facts(run), wanted, built ? &built->model : nullptr, rocks_passing(call, run, asked));
-    return paths_answer(paths, Json::object(),
+    return paths_answer(paths, {{"blocks", built && has_blocks(built->model)}},
                         built ? std::optional(releases_of(paths.rocks, *asked.releases(run))) : std::nullopt);
+  });
+  router.post(one_run + "/blocks", [&](const Call& call) {
+    const std::vector<std::uint64_t> rocks = rocks_in(call);
+    const Run run = runs.find(call.part(1));
+    const auto folder = results_folder(run);
+    const auto built = models.find(run);
+    if (!built)
+      throw Refusal(404, run.name, "the blocks of this run are not available",
+                    "the files of the project have changed since");
+    for (const std::uint64_t rock : rocks)
+      if (rock >= built->model.rocks())
+        throw Refusal(404, std::to_string(rock), "there is no such rock", "it was not run");
+    return blocks_answer(drawn_blocks(folder, built->model, rocks));
   });
   router.get(one_run + "/so_far", [&](const Call& call) {
     const auto watch = runs.watch(call.part(1));
