@@ -72,6 +72,9 @@ export async function sendJson<T>(method: 'POST' | 'PUT' | 'PATCH', path: string
 export async function getArrays<Header>(path: string, signal?: AbortSignal): Promise<Arrays<Header>> {
   return readArrays<Header>(await (await ask('GET', path, undefined, signal)).arrayBuffer());
 }
+export async function askArrays<Header>(path: string, body: unknown, signal?: AbortSignal): Promise<Arrays<Header>> {
+  return readArrays<Header>(await (await ask('POST', path, body, signal)).arrayBuffer());
+}
 
 const name = (file: string) => file.split('/').map(encodeURIComponent).join('/');
 

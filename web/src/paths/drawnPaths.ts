@@ -31,6 +31,8 @@ export interface PathsHeader {
   reasons: string[];
   states: string[];
   barriers: string[];
+  /// Whether rocks have shapes, and these are available.
+  blocks?: boolean;
   /// Only while the run is in progress.
   so_far?: SoFar;
 }

@@ -3,7 +3,7 @@
 import { Box3, BufferAttribute, BufferGeometry, DataTexture, FloatType, GLSL3, Mesh, NearestFilter, RGBAFormat, RGIntegerFormat, ShaderMaterial, UnsignedIntType, Vector3, type Texture } from 'three';
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { fairOrder, neededUpTo, opacityOfShare, segmentsOf } from '../paths/pathDetail';
-import { colourGlsl, tableGlsl, type PathLook } from './pathShader';
+import { colourGlsl, nearer, tableGlsl, type PathLook } from './pathShader';
 
 const across = 2048; // texels in a row
 
@@ -45,7 +45,7 @@ void main() {
   // Slightly longer than the segment, so that bends have no gaps.
   at.xy += (side * across + (isEnd ? 0.35 : -0.35) * step) * width / pixels * at.w;
   place = placeOf(values, rock);
-  at.z -= 0.0006 * at.w;
+  at.z -= ${nearer} * at.w;
   gl_Position = isShown ? at : vec4(2.0, 2.0, 2.0, 1.0);
 }`;
 

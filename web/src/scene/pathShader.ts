@@ -6,6 +6,9 @@ import type { Colouring } from '../paths/colouring';
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { colourOf, listBytes, rampBytes } from '../view/colours';
 
+/// How much nearer than they are lines and blocks are drawn, so that the ground does not cut them; of the depth.
+export const nearer = 0.0006;
+
 const rocksAcross = 1024; // texels in a row of the rocks' texture
 
 /// `values`: speed, energy, height, and the rock's index among the drawn ones.

@@ -7,13 +7,37 @@ import { RocksAtTime } from '../paths/rocksAtTime';
 import { colourOf, restColour } from '../view/colours';
 import { colourGlsl, tableGlsl, type PathLook } from './pathShader';
 
-const vertex = /* glsl */ `
-${colourGlsl}
-in vec4 values;
-in float radius;       // m
+/// The colour of rocks at rest, for shaders.
+export const restUnit = colourOf(restColour).map((part) => part / 255);
+
+/// The drawn size of a rock.
+export const sizeGlsl = /* glsl */ `
 uniform float largest; // maximum radius, m
 uniform float least;   // minimum drawn radius of the largest rock, CSS pixels
 uniform vec2 pixels;   // size of the picture, CSS pixels
+float pixelsPerMetreAt(vec4 clip) { return projectionMatrix[1][1] * 0.5 * pixels.y / clip.w; }
+/// The minimum drawn radius, CSS pixels.
+float leastRadiusOf(float radius) {
+  float share = largest > 0.0 ? radius / largest : 1.0;
+  return least * (${leastShare} + (1.0 - ${leastShare}) * share);
+}
+/// A smaller rock with a shape is a dot.
+bool isDrawnAsBlock(float radius, vec4 clip) { return clip.w > 0.0 && radius * pixelsPerMetreAt(clip) > leastRadiusOf(radius); }`;
+
+/// The uniforms of sizeGlsl that differ between runs.
+export function sizeUniforms({ radii }: DrawnPaths) {
+  return {
+    largest: { value: radii.reduce((most, radius) => Math.max(most, radius), 0) },
+    least: { value: leastRadius(radii.length) },
+  };
+}
+
+const vertex = /* glsl */ `
+${colourGlsl}
+${sizeGlsl}
+in vec4 values;
+in float radius;       // m
+in float isBlock;      // 1: it is also a block of blockMesh.ts
 uniform float ratio;   // drawing buffer pixels per CSS pixel
 uniform bool isWhole;  // all rocks have stopped
 out float place;
@@ -26,14 +50,14 @@ void main() {
   atRest = isWhole && quantity < 3 ? 1.0 : 0.0;
   vec4 eye = modelViewMatrix * vec4(position, 1.0);
   vec4 at = projectionMatrix * eye;
-  float pixelsPerMetre = projectionMatrix[1][1] * 0.5 * pixels.y / at.w;
+  float pixelsPerMetre = pixelsPerMetreAt(at);
   float seen = radius * pixelsPerMetre;
-  float share = largest > 0.0 ? radius / largest : 1.0;
-  diameter = 2.0 * ratio * max(seen, least * (${leastShare} + (1.0 - ${leastShare}) * share));
+  diameter = 2.0 * ratio * max(seen, leastRadiusOf(radius));
   // Moved towards the camera, so that the ground in front does not cut its lower half.
   vec4 front = projectionMatrix * (eye + vec4(0.0, 0.0, diameter / ratio / pixelsPerMetre, 0.0));
   if (front.w > 0.0) at.z = front.z / front.w * at.w;
-  gl_Position = rock.w > 0.5 ? at : vec4(2.0, 2.0, 2.0, 1.0);
+  bool isSeen = rock.w > 0.5 && !(isBlock > 0.5 && isDrawnAsBlock(radius, at));
+  gl_Position = isSeen ? at : vec4(2.0, 2.0, 2.0, 1.0);
   gl_PointSize = diameter + 2.0 * ratio;
 }`;
 const fragment = /* glsl */ `
@@ -80,11 +104,10 @@ export class RockDots {
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage));
     geometry.setAttribute('values', new BufferAttribute(values, 4).setUsage(DynamicDrawUsage));
     geometry.setAttribute('radius', new BufferAttribute(paths.radii.slice(), 1));
-    const largest = paths.radii.reduce((most, radius) => Math.max(most, radius), 0);
+    geometry.setAttribute('isBlock', new BufferAttribute(new Float32Array(count), 1));
     const own = {
-      largest: { value: largest },
-      least: { value: leastRadius(count) },
-      rest: { value: colourOf(restColour).map((part) => part / 255) },
+      ...sizeUniforms(paths),
+      rest: { value: restUnit },
     };
     const material = new ShaderMaterial({
       glslVersion: GLSL3,
@@ -97,6 +120,19 @@ export class RockDots {
     this.object = new Points(geometry, material);
     this.object.frustumCulled = false;
     this.object.renderOrder = 10;
+  }
+
+  /// Leaves out large dots of these rocks, by their index: they are drawn as blocks.
+  leaveToBlocks(drawn: ArrayLike<number>) {
+    const flags = this.object.geometry.getAttribute('isBlock');
+    flags.array.fill(0);
+    for (let k = 0; k < drawn.length; ++k) flags.array[drawn[k]!] = 1;
+    flags.needsUpdate = true;
+  }
+
+  /// Of each drawn rock at the last time: speed, energy, height, and its index.
+  get values(): ArrayLike<number> {
+    return this.object.geometry.getAttribute('values').array;
   }
 
   at(time: number) {

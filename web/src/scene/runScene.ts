@@ -4,11 +4,14 @@ import { effect, signal, type ReadonlySignal, type Signal } from '@preact/signal
 import { Group, Vector3 } from 'three';
 import { areEndsShown, arePathsShown } from '../maps/over';
 import { colouring } from '../paths/colouring';
+import { comparedBlocks, shownBlocks, type DrawnBlocks } from '../paths/drawnBlocks';
 import { comparedPaths, indexOfRock, shownPaths, type DrawnPaths } from '../paths/drawnPaths';
 import { isWhole, time } from '../paths/playback';
 import { comparedPassing, shownPassing } from '../paths/shownPassing';
 import { chosenRock } from '../state/view';
+import { colourOf } from '../view/colours';
 import { cssColour, runColour, shade } from '../view/theme';
+import { BlockMesh } from './blockMesh';
 import { clear, line } from './marks';
 import type { ModelScene } from './modelScene';
 import { PathLines } from './pathLines';
@@ -22,6 +25,7 @@ class RunPaths {
   readonly look: PathLook;
   readonly dots: RockDots;
   readonly lines: PathLines;
+  blocks: BlockMesh | null = null;
 
   constructor(readonly paths: DrawnPaths, shift: ArrayLike<number>, width: number) {
     this.look = new PathLook(paths);
@@ -38,7 +42,24 @@ class RunPaths {
     this.lines.pass(passes);
   }
 
+  /// `shift`: of the origin of the blocks.
+  addBlocks(blocks: DrawnBlocks, shift: ArrayLike<number>) {
+    this.removeBlocks();
+    this.blocks = new BlockMesh(blocks, this.look, shift);
+    this.dots.leaveToBlocks(blocks.drawn);
+    this.group.add(this.blocks.object);
+  }
+
+  removeBlocks() {
+    if (!this.blocks) return;
+    this.group.remove(this.blocks.object);
+    this.blocks.dispose();
+    this.blocks = null;
+    this.dots.leaveToBlocks([]);
+  }
+
   dispose() {
+    this.removeBlocks();
     this.lines.dispose();
     clear(this.group);
     this.look.dispose();
@@ -51,6 +72,8 @@ export class RunScene {
   private readonly compared = signal<RunPaths | null>(null);
   /// Incremented when the frame of the terrain changes, because positions are relative to it.
   private readonly terrain = signal(0);
+  /// Incremented when blocks come or go.
+  private readonly changes = signal(0);
   private readonly all = new Group();
   private readonly chosen = new Group();
   private readonly ends: (() => void)[];
@@ -78,7 +101,16 @@ export class RunScene {
         this.compared.value?.pass(ofCompared);
         stage.invalidate();
       }),
-      effect(() => this.move(time.value, isWhole.value, arePathsShown.value, areEndsShown.value)),
+      this.keepBlocks(this.compared, comparedBlocks),
+      this.keepBlocks(this.shown, shownBlocks),
+      effect(() => {
+        void this.changes.value;
+        this.move(time.value, isWhole.value, arePathsShown.value, areEndsShown.value);
+      }),
+      effect(() => {
+        void [this.changes.value, shade.value];
+        this.chooseBlock(chosenRock.value, isWhole.value && !areEndsShown.value);
+      }),
       effect(() => {
         void [shownPaths.value, this.terrain.value, shade.value];
         this.mark(chosenRock.value);
@@ -103,6 +135,17 @@ export class RunScene {
     });
   }
 
+  /// Keeps the blocks of a drawn run with their terrain.
+  private keepBlocks(drawn: Signal<RunPaths | null>, blocks: ReadonlySignal<DrawnBlocks | null>): () => void {
+    return effect(() => {
+      const [run, now] = [drawn.value, blocks.value];
+      if (!run) return;
+      if (now?.paths === run.paths) run.addBlocks(now, this.scene.local(now.origin).toArray());
+      else run.removeBlocks();
+      this.changes.value = this.changes.peek() + 1;
+    });
+  }
+
   /// The rock at a position of the window; null if none.
   rockAt(clientX: number, clientY: number): number | null {
     const [{ stage }, paths] = [this.scene, shownPaths.peek()];
@@ -121,7 +164,17 @@ export class RunScene {
       // When all rocks have stopped, they are drawn at their end points.
       run.dots.object.visible = !whole || withEnds;
       run.dots.at(whole ? Infinity : now);
+      run.blocks?.at(whole ? Infinity : now, run.dots.values);
     }
+    this.scene.stage.invalidate();
+  }
+
+  /// Shows the block of the selected rock in its colour; without end points, of all blocks at rest only this one.
+  private chooseBlock(rock: number | null, isOnly: boolean) {
+    const accent = colourOf(cssColour('--accent')).map((part) => part / 255);
+    const [shown, compared] = [this.shown.value, this.compared.value];
+    shown?.blocks?.choose(rock === null ? -1 : indexOfRock(shown.paths, rock), accent, isOnly);
+    compared?.blocks?.choose(-1, accent, isOnly);
     this.scene.stage.invalidate();
   }
 

@@ -5,6 +5,7 @@ import { DataTexture, DoubleSide, GLSL3, LinearFilter, NearestFilter, RGBAFormat
 import { colourOf, elevationRamp, groundColour, listBytes, materialColour, rampBytes, slopeRamp, type Colour } from '../view/colours';
 import { mostDraped } from '../layers/draped';
 import type { Shading } from '../view/settings';
+import { lightGlsl } from './light';
 
 /// A picture over the terrain, in the scene's coordinates.
 export interface DrapedPicture {
@@ -71,6 +72,8 @@ uniform sampler2D pictures[MOST_DRAPED];
 uniform vec4 pictureAreas[MOST_DRAPED];    // as mapArea
 uniform float pictureOpacities[MOST_DRAPED];
 
+${lightGlsl}
+
 /// Draws a picture, whose colours are multiplied by their alpha, over a colour. Returns how much of it is covered.
 float drape(sampler2D picture, vec4 area, float opacity, inout vec3 base) {
   vec2 at = (place.xy - area.xy) / area.zw;
@@ -106,15 +109,8 @@ void main() {
     base = texelFetch(kinds, ivec2(kind % kindCount, 0), 0).rgb;
   }
 
-  // A sun at azimuth 315 and 45 degrees up, weaker ones at 250 and 20, ambient light from the sky, and some light from
-  // the south-east, so that steep faces away from the sun keep their colour.
-  float sun = max(dot(shown, vec3(-0.5, 0.5, 0.7071)), 0.0);
-  float west = max(dot(shown, vec3(-0.7713, -0.2807, 0.5713)), 0.0);
-  float north = max(dot(shown, vec3(0.2807, 0.7713, 0.5713)), 0.0);
-  float fill = max(dot(shown, vec3(0.6, -0.6, 0.53)), 0.0);
-  float light = 0.46 * (0.55 + 0.45 * shown.z) + 0.24 * fill + 0.54 * (0.66 * sun / 0.7071 + 0.18 * west / 0.5713 + 0.16 * north / 0.5713);
-  light = light < 1.0 ? light : 1.0 + 0.55 * (light - 1.0);
-  vec3 tint = mix(vec3(0.90, 0.96, 1.08), vec3(1.02, 1.0, 0.97), clamp(1.4 * sun, 0.0, 1.0));
+  float light = lightOn(shown);
+  vec3 tint = tintOn(shown);
 
   float covered = 0.0;
   // (An index of samplers must be constant.)

@@ -4,7 +4,8 @@ import { computed, effect, signal, untracked } from '@preact/signals';
 import { model } from '../state/model';
 import { chosen, chosenRock } from '../state/view';
 import { colouring } from '../paths/colouring';
-import { comparedPaths, shownPaths } from '../paths/drawnPaths';
+import { shownBlocks } from '../paths/drawnBlocks';
+import { comparedPaths, indexOfRock, shownPaths } from '../paths/drawnPaths';
 import { isWhole, time } from '../paths/playback';
 import { RocksAtTime } from '../paths/rocksAtTime';
 import { comparedPassing, shownPassing } from '../paths/shownPassing';
@@ -21,6 +22,7 @@ import type { Frame } from './frame';
 import { frame, keepFramed, over, roomOf } from './framed';
 import { PathLayer, type PathsToDraw } from './pathLayer';
 import { profile } from './profile';
+import { SectionBlocks } from './sectionBlocks';
 
 export const pointer = signal<{ x: number; z: number; ground: number | null } | null>(null);
 
@@ -44,6 +46,7 @@ export const comparedToDraw = computed(() =>
   layers.paths.value && comparedPaths.value ? { paths: comparedPaths.value, passes: comparedPassing.value } : null,
 );
 const moving = computed(() => (shownPaths.value ? new RocksAtTime(shownPaths.value) : null));
+const blocks = computed(() => (shownBlocks.value ? new SectionBlocks(shownBlocks.value) : null));
 
 function drawRun(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => void, colours: Look) {
   // Trajectories are faded behind moving rocks.
@@ -53,9 +56,14 @@ function drawRun(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => voi
   const seen = rocksToDraw.value;
   if (!seen) return;
   if (chosenRock.value !== null) drawChosen(pen, now, seen.paths, chosenRock.value, colours);
-  if (isWhole.value) {
-    if (layers.ends.value) drawEnds(pen, now, seen);
-  } else if (moving.value) drawMovingRocks(pen, now, seen, moving.value, time.value);
+  const rocks = {
+    seen,
+    blocks: blocks.value,
+    chosen: chosenRock.value === null ? -1 : indexOfRock(seen.paths, chosenRock.value),
+    isChosenOnly: isWhole.value && !layers.ends.value,
+  };
+  if (isWhole.value) drawEnds(pen, now, rocks, colours);
+  else if (moving.value) drawMovingRocks(pen, now, rocks, moving.value, time.value, colours);
 }
 
 /// Draws the whole picture in CSS pixels, without names in the boxes `covered`.
@@ -104,7 +112,7 @@ export function keepDrawn(host: HTMLElement, canvas: HTMLCanvasElement): () => v
     const now = frame.value;
     void [shade.value, profile.value, model.value, chosen.value, chosenRock.value, overlays.value, draws.value];
     void [layers.terrain.value, layers.barriers.value, layers.seeders.value, layers.paths.value, layers.ends.value];
-    void [shownObserved.value, rocksToDraw.value, time.value, isWhole.value, over.value];
+    void [shownObserved.value, rocksToDraw.value, blocks.value, time.value, isWhole.value, over.value];
     if (!now) return;
     cancelAnimationFrame(waiting);
     waiting = requestAnimationFrame(() => draw(canvas, now, layer.canvas));
