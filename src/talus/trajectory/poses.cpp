@@ -7,6 +7,9 @@ namespace talus {
 
 namespace {
 
+/// As of vectors of four numbers: the cosine of half the angle between the two, or its negative.
+double dot(const Orientation& a, const Orientation& b) { return a.w() * b.w() + a.xyz().dot(b.xyz()); }
+
 /// How a block turns between two attitudes.
 class Turning {
  public:
@@ -49,12 +52,12 @@ std::vector<Pose> close_poses(std::span<const PathPiece> pieces, std::span<const
   };
   for (const PathPiece& piece : pieces) {
     const double end = piece.time(piece.duration);
-    // A chord of this duration is a quarter of the tolerance from its arc; twice as much of a turn is far below it.
+    // A chord of this duration is a quarter of the tolerance from its arc, and so is an even turn, or less.
     const double chords = std::sqrt(piece.path.a.norm() / (2 * tolerance.distance));
     for (double from = piece.start_time; from < end;) {
       turning.move_to(from);
       const double to = turning.until(end);
-      const double steps = (to - from) * std::max(chords, turning.max_spin() / (2 * tolerance.angle));
+      const double steps = (to - from) * std::max(chords, turning.max_spin() / (4 * tolerance.angle));
       const int count = 1 + static_cast<int>(std::min(steps, 1e6));
       for (int k = 0; k < count; ++k) add(piece, from + (to - from) * k / count);
       from = to;
@@ -68,14 +71,15 @@ std::vector<Pose> close_poses(std::span<const PathPiece> pieces, std::span<const
 
 /// Whether a picture between two of the poses shows those between them, of which it looks at some.
 bool tells(std::span<const Pose> poses, std::size_t from, std::size_t to, const PoseTolerance& tolerance) {
-  constexpr std::size_t looks = 16;
+  constexpr std::size_t looks = 6;
   const Pose &first = poses[from], &last = poses[to];
   const std::size_t step = 1 + (to - from - 1) / looks;
+  const double least_dot = std::cos(0.5 * tolerance.angle);
   for (std::size_t k = from + 1; k < to; k += step) {
     const Pose& pose = poses[k];
     const Pose seen = between(first, last, (pose.time - first.time) / (last.time - first.time));
-    if ((seen.position - pose.position).norm() > tolerance.distance ||
-        angle_between(seen.orientation, pose.orientation) > tolerance.angle)
+    if ((seen.position - pose.position).squared_norm() > tolerance.distance * tolerance.distance ||
+        std::abs(dot(seen.orientation, pose.orientation)) < least_dot)
       return false;
   }
   return true;
@@ -97,13 +101,13 @@ std::vector<Pose> thinned(std::span<const Pose> poses, const PoseTolerance& tole
 
 Pose between(const Pose& from, const Pose& to, double share) {
   const Orientation &a = from.orientation, &b = to.orientation;
-  const double dot = a.w() * b.w() + a.xyz().dot(b.xyz()), half = std::acos(std::min(std::abs(dot), 1.0));
+  const double cosine = dot(a, b), half = std::acos(std::min(std::abs(cosine), 1.0));
   double of_a = 1 - share, of_b = share;
   if (half > 1e-6) {  // below it, the sines are the angles
     of_a = std::sin((1 - share) * half) / std::sin(half);
     of_b = std::sin(share * half) / std::sin(half);
   }
-  if (dot < 0) of_b = -of_b;
+  if (cosine < 0) of_b = -of_b;
   const Vec3 v = of_a * a.xyz() + of_b * b.xyz();
   return {from.time + share * (to.time - from.time),
           (1 - share) * from.position + share * to.position,
