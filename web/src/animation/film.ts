@@ -2,6 +2,7 @@
 
 import { signal } from '@preact/signals';
 import { saveFile } from '../figures/files';
+import { blocksLoaded } from '../paths/drawnBlocks';
 import { endTime, goTo, pause, time } from '../paths/playback';
 import { file, fileStem, values } from '../state/document';
 import { reportFailure } from '../state/messages';
@@ -72,10 +73,17 @@ async function filmed(view: AnimatedView, plan: Plan, size: Size, stop: AbortSig
     goTo(seconds);
     return frameOf(view, size, pen, seconds);
   };
+  await blocksLoaded();
   await view.prepare?.(size);
   const times = timesOf(plan, endTime.peek());
   const last = times.length - 1;
-  const gif = new Gif(size.width, size.height, [0, Math.round(last / 3), Math.round((2 * last) / 3), last].map((k) => at(times[k]!)));
+  const typical: Uint8ClampedArray[] = [];
+  for (const share of [0, 0.2, 0.4, 0.6, 0.8, 1]) {
+    if (stop.aborted) return null;
+    typical.push(at(times[Math.round(share * last)]!));
+    await nextTask();
+  }
+  const gif = new Gif(size.width, size.height, typical);
   for (const [k, seconds] of times.entries()) {
     if (stop.aborted) return null;
     gif.add(at(seconds), k === last ? lastDelay : 1000 / plan.rate);

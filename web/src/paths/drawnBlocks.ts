@@ -37,6 +37,12 @@ async function load(paths: DrawnPaths, rocks: number[], stop: AbortSignal): Prom
   return { paths, origin: header.origin, drawn, cornerStarts, triangleStarts, poseStarts, ...others } as DrawnBlocks;
 }
 
+// Requests in progress.
+const pending = new Set<Promise<unknown>>();
+
+/// For pictures that must have all blocks: waits until those that are being loaded are there.
+export const blocksLoaded = async () => void (await Promise.allSettled(pending));
+
 /// Null without blocks, while the first ones load, and if the files of the project have changed since the run.
 function blocksOf(
   paths: ReadonlySignal<DrawnPaths | null>,
@@ -58,7 +64,7 @@ function blocksOf(
     asking?.abort();
     const own = (asking = new AbortController());
     asked = { paths: now, rocks: new Set(rocks) };
-    load(now, rocks, own.signal).then(
+    const loading = load(now, rocks, own.signal).then(
       (found) => {
         if (!own.signal.aborted) blocks.value = found;
       },
@@ -67,6 +73,8 @@ function blocksOf(
         if (!own.signal.aborted && !(error instanceof Refused && error.status === 404)) reportFailure(error, `blocks of ${now.run}`);
       },
     );
+    pending.add(loading);
+    void loading.finally(() => pending.delete(loading));
   });
   return blocks;
 }

@@ -137,6 +137,12 @@ export class BlockMesh {
     this.poses.needsUpdate = true;
   }
 
+  /// Where a block's centre is in the scene.
+  readonly places = (block: number): [number, number, number] => {
+    const { positions } = this.moving;
+    return [positions[3 * block]! + this.shift[0]!, positions[3 * block + 1]! + this.shift[1]!, positions[3 * block + 2]! + this.shift[2]!];
+  };
+
   /// Shows the selected rock, by its index, in another colour; -1: none. `isOnly`: and no other.
   choose(rock: number, accent: number[], isOnly: boolean) {
     const { uniforms } = this.object.material;

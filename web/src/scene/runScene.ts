@@ -16,6 +16,7 @@ import { clear, line } from './marks';
 import type { ModelScene } from './modelScene';
 import { PathLines } from './pathLines';
 import { PathLook } from './pathShader';
+import { blockUnder } from './pickBlock';
 import { rockNear } from './pickPath';
 import { RockDots } from './rockDots';
 
@@ -148,11 +149,15 @@ export class RunScene {
 
   /// The rock at a position of the window; null if none.
   rockAt(clientX: number, clientY: number): number | null {
-    const [{ stage }, paths] = [this.scene, shownPaths.peek()];
-    if (!paths || !arePathsShown.peek()) return null;
+    const [{ stage }, paths, passes] = [this.scene, shownPaths.peek(), shownPassing.peek()];
+    if (!paths) return null;
     const box = stage.renderer.domElement.getBoundingClientRect();
-    const shift = this.scene.local(paths.header.origin);
-    return rockNear(stage, paths, shownPassing.peek(), shift, clientX - box.left, clientY - box.top, 8);
+    const [left, top] = [clientX - box.left, clientY - box.top];
+    const blocks = this.shown.peek()?.blocks;
+    const block = blocks && (!isWhole.peek() || areEndsShown.peek()) ? blockUnder(stage, blocks, passes, left, top) : -1;
+    if (block >= 0) return paths.rocks[block]!;
+    if (!arePathsShown.peek()) return null;
+    return rockNear(stage, paths, passes, this.scene.local(paths.header.origin), left, top, 8);
   }
 
   private move(now: number, whole: boolean, withPaths: boolean, withEnds: boolean) {

@@ -8,7 +8,7 @@ import { chosenRock, resultsTab } from '../state/view';
 import { offerSheet } from '../view/sheet';
 import { offerThumbnail } from '../view/thumbnail';
 import { frame } from './framed';
-import { keepDrawn, pathsToDraw, pointer } from './picture';
+import { blockUnder, keepDrawn, pathsToDraw, pointer } from './picture';
 import { listen } from './pointing';
 import { rockAt } from './pathLayer';
 import { sectionPicture } from './sectionPrint';
@@ -32,15 +32,16 @@ function Status() {
   );
 }
 
-/// The rock of the trajectory at a place of the canvas; null if there is none.
+/// The rock of the block or the trajectory at a place of the canvas; null if there is none.
 function rockOf(canvas: HTMLElement, event: MouseEvent): number | null {
   const [seen, now] = [pathsToDraw.value, frame.value];
-  if (!seen || !now) return null;
+  if (!now) return null;
   const box = canvas.getBoundingClientRect();
-  return rockAt(seen, now, event.clientX - box.left, event.clientY - box.top, 8);
+  const [left, top] = [event.clientX - box.left, event.clientY - box.top];
+  return blockUnder(now, left, top) ?? (seen && rockAt(seen, now, left, top, 8));
 }
 
-/// A click on a trajectory selects its rock; next to all trajectories it deselects.
+/// A click on a block or a trajectory selects its rock; next to all trajectories it deselects.
 function chooseRock(canvas: HTMLElement, event: MouseEvent) {
   if (!pathsToDraw.value) return;
   chosenRock.value = rockOf(canvas, event);

@@ -18,7 +18,7 @@ import { drawBarriers, drawObserved, drawOverlays, drawSeeders } from './drawMar
 import { drawChosen, drawEnds, drawMovingRocks } from './drawRocks';
 import type { Box } from '../view/framing';
 import { drawLabels, placeLabels } from '../view/labels';
-import type { Frame } from './frame';
+import { placeOf, type Frame } from './frame';
 import { frame, keepFramed, over, roomOf } from './framed';
 import { PathLayer, type PathsToDraw } from './pathLayer';
 import { profile } from './profile';
@@ -47,6 +47,14 @@ export const comparedToDraw = computed(() =>
 );
 const moving = computed(() => (shownPaths.value ? new RocksAtTime(shownPaths.value) : null));
 const blocks = computed(() => (shownBlocks.value ? new SectionBlocks(shownBlocks.value) : null));
+
+/// The rock of the block at a pixel, if blocks are drawn there; null if there is none.
+export function blockUnder(now: Frame, left: number, top: number): number | null {
+  const [seen, drawn] = [rocksToDraw.value, blocks.value];
+  if (!seen || !drawn || (isWhole.value && !layers.ends.value)) return null;
+  const rock = drawn.around(...placeOf(now, left, top), seen.passes);
+  return rock < 0 ? null : seen.paths.rocks[rock]!;
+}
 
 function drawRun(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () => void, colours: Look) {
   // Trajectories are faded behind moving rocks.

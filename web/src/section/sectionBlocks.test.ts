@@ -21,4 +21,7 @@ test('an outline is turned about the centre of its block', () => {
     [101, 54],
   ]);
   expect(blocks.outlineOf(0)).toBe(null);
+  expect(blocks.around(101.2, 52, null)).toBe(3);
+  expect(blocks.around(101.2, 52, new Uint8Array(4))).toBe(-1);
+  expect(blocks.around(100.8, 52, null)).toBe(-1);
 });
