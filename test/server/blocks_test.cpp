@@ -139,6 +139,19 @@ TEST_F(Blocks, AreNoneAmongSpheres) {
   EXPECT_TRUE(ArraysOf(ask_for(id, {0, 1})).get<float>("times", "f32").empty());
 }
 
+TEST_F(Blocks, AreNotAvailableOnceTheFilesHaveChanged) {
+  std::string text = slope_of_blocks("width_m = 40\n");
+  const std::string vertices = "[[0, 40], [20, 20], [120, 15]]";
+  text.replace(text.find(vertices), vertices.size(), "\"slope.csv\"");
+  write("slope.csv", "x_m,z_m\n0,40\n20,20\n120,15\n");
+  const std::string id = run_of(text);
+  write("slope.csv", "x_m,z_m\n0,41\n20,20\n120,15\n");
+  EXPECT_EQ(ArraysOf(get("/api/runs/" + id + "/paths")).header["blocks"], false);
+  EXPECT_EQ(ask_for(id, {0}).status, 404);
+  EXPECT_EQ(ask_for(id, {0}).problem(),
+            "Blocks: the blocks of this run are not available (the files of the project have changed since)");
+}
+
 TEST_F(Blocks, AreRefusedWithTheReason) {
   const std::string id = run_of(slope_of_blocks("width_m = 40\n"));
   EXPECT_EQ(ask_for(id, {5}).status, 404);
