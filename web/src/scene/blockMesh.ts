@@ -1,12 +1,15 @@
 // The blocks at a time, at their true size, in one call. A block that is only a few pixels large is left to the dots.
 
-import { BufferAttribute, BufferGeometry, DataTexture, FloatType, GLSL3, Mesh, NearestFilter, RGBAFormat, ShaderMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, DataTexture, DynamicDrawUsage, FloatType, GLSL3, Mesh, NearestFilter, RGBAFormat, ShaderMaterial } from 'three';
 import { BlocksAtTime } from '../paths/blocksAtTime';
 import type { DrawnBlocks } from '../paths/drawnBlocks';
+import { drawnRadius } from '../paths/rockSize';
 import { hullVertices } from './hullVertices';
 import { lightGlsl } from './light';
 import { colourGlsl, nearer, tableGlsl, type PathLook } from './pathShader';
+import { projected } from './projected';
 import { restUnit, sizeGlsl, sizeUniforms } from './rockDots';
+import type { Stage } from './stage';
 
 const [across, texels] = [256, 3]; // blocks in a row of the texture, and texels of each
 
@@ -32,19 +35,22 @@ vec4 texelOf(int number) {
   return texelFetch(poses, ivec2(${texels} * (k % ${across}) + number, k / ${across}), 0);
 }
 void main() {
-  vec4 centre = texelOf(0), turn = texelOf(1), values = texelOf(2);
-  vec4 rock = rockOf(values);
-  place = placeOf(values, rock);
-  isChosen = abs(values.w - chosen) < 0.5 ? 1.0 : 0.0;
+  gl_Position = vec4(2.0, 2.0, 2.0, 1.0); // not seen
+  vec4 centre = texelOf(0);
   vec4 middle = projectionMatrix * modelViewMatrix * vec4(centre.xyz, 1.0);
-  bool isSeen = rock.w > 0.5 && (isChosen > 0.5 || !isChosenOnly) && isDrawnAsBlock(centre.w, middle);
+  if (!isDrawnAsBlock(centre.w, middle)) return;
+  vec4 values = texelOf(2);
+  vec4 rock = rockOf(values);
+  isChosen = abs(values.w - chosen) < 0.5 ? 1.0 : 0.0;
+  if (rock.w < 0.5 || (isChosenOnly && isChosen < 0.5)) return;
+  place = placeOf(values, rock);
   edges = 0.15 * smoothstep(10.0, 40.0, centre.w * pixelsPerMetreAt(middle));
+  vec4 turn = texelOf(1);
   within = side;
   vec3 n = turned(turn, normal);
   facing = vec3(n.xy, n.z / length(modelMatrix[2].xyz));
-  vec4 at = projectionMatrix * modelViewMatrix * vec4(centre.xyz + turned(turn, position), 1.0);
-  at.z -= ${nearer} * at.w; // as the lines, which would be drawn over it
-  gl_Position = isSeen ? at : vec4(2.0, 2.0, 2.0, 1.0);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(centre.xyz + turned(turn, position), 1.0);
+  gl_Position.z -= ${nearer} * gl_Position.w; // as the lines, which would be drawn over it
 }`;
 
 const fragment = /* glsl */ `
@@ -101,6 +107,7 @@ export class BlockMesh {
     geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     geometry.setAttribute('side', new BufferAttribute(sides, 3));
     geometry.setAttribute('block', new BufferAttribute(owners, 1));
+    geometry.setIndex(new BufferAttribute(new Uint32Array(owners.length), 1).setUsage(DynamicDrawUsage));
     const own = {
       ...sizeUniforms(blocks.paths),
       poses: { value: this.poses },
@@ -135,6 +142,29 @@ export class BlockMesh {
       }
     }
     this.poses.needsUpdate = true;
+  }
+
+  /// Before a frame: leaves out the blocks that are beside the picture or too small, which most are.
+  select(stage: Stage) {
+    const { blocks, places, object } = this;
+    const { largest, least } = object.material.uniforms;
+    const index = object.geometry.index!;
+    const seen = projected(stage);
+    const { width, height } = stage.size;
+    let count = 0;
+    for (let k = 0; k < blocks.drawn.length; ++k) {
+      const radius = blocks.paths.radii[blocks.drawn[k]!]!;
+      const { left, top, perMetre } = seen(...places(k));
+      const size = radius * perMetre;
+      // The shader decides; a little less is enough here.
+      if (!(size > 0.98 * drawnRadius(radius, largest!.value as number, 0, least!.value as number))) continue;
+      // A long block reaches farther than the sphere of its volume.
+      const reach = 4 * size * Math.max(1, stage.world.scale.z);
+      if (left < -reach || left > width + reach || top < -reach || top > height + reach) continue;
+      for (let vertex = 3 * blocks.triangleStarts[k]!; vertex < 3 * blocks.triangleStarts[k + 1]!; ++vertex) index.array[count++] = vertex;
+    }
+    object.geometry.setDrawRange(0, count);
+    index.needsUpdate = true;
   }
 
   /// Where a block's centre is in the scene.

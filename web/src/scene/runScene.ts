@@ -218,6 +218,7 @@ export class RunScene {
     uniforms.pixels.value[0] = width;
     uniforms.pixels.value[1] = height;
     uniforms.ratio.value = ratio;
+    run.blocks?.select(this.scene.stage);
     if (run.lines.object.visible) run.lines.choose(this.scene.stage.isMoving, this.eye, perMetre, tolerance, most);
   }
 
