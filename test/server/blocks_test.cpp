@@ -55,7 +55,7 @@ report = false
 )" + output;
 }
 
-class Blocks : public testing_tools::ServedRuns {
+class RunBlocks : public testing_tools::ServedRuns {
  protected:
   std::string run_of(const std::string& text) {
     write(file_, text);
@@ -96,7 +96,7 @@ void expect_as_simulated(const ArraysOf& blocks, const Model& model) {
   }
 }
 
-TEST_F(Blocks, AreHullsThatMoveAndTurn) {
+TEST_F(RunBlocks, AreHullsThatMoveAndTurn) {
   const std::string stored = slope_of_blocks("width_m = 40\n");
   // Those of the second run are not stored, so they are simulated again.
   for (const std::string& text : {stored, stored + "trajectories_MB = \"none\"\n"}) {
@@ -118,7 +118,7 @@ TEST_F(Blocks, AreHullsThatMoveAndTurn) {
   }
 }
 
-TEST_F(Blocks, OfASectionAreOutlines) {
+TEST_F(RunBlocks, OfASectionAreOutlines) {
   std::string text = slope_of_blocks("");
   for (const char* y : {"[4, 10]", "[4, 20]"}) text.replace(text.find(y), 7, "[4]");
   text.replace(text.find("\"cube\""), 6, "\"hexagon\"");
@@ -131,7 +131,7 @@ TEST_F(Blocks, OfASectionAreOutlines) {
   expect_as_simulated(blocks, built.model);
 }
 
-TEST_F(Blocks, AreNoneAmongSpheres) {
+TEST_F(RunBlocks, AreNoneAmongSpheres) {
   std::string text = slope_of_blocks("width_m = 40\n");
   text.replace(text.find("\"cube\""), 6, "\"sphere\"");
   const std::string id = run_of(text);
@@ -139,7 +139,7 @@ TEST_F(Blocks, AreNoneAmongSpheres) {
   EXPECT_TRUE(ArraysOf(ask_for(id, {0, 1})).get<float>("times", "f32").empty());
 }
 
-TEST_F(Blocks, AreNotAvailableOnceTheFilesHaveChanged) {
+TEST_F(RunBlocks, AreNotAvailableOnceTheFilesHaveChanged) {
   std::string text = slope_of_blocks("width_m = 40\n");
   const std::string vertices = "[[0, 40], [20, 20], [120, 15]]";
   text.replace(text.find(vertices), vertices.size(), "\"slope.csv\"");
@@ -152,7 +152,7 @@ TEST_F(Blocks, AreNotAvailableOnceTheFilesHaveChanged) {
             "Blocks: the blocks of this run are not available (the files of the project have changed since)");
 }
 
-TEST_F(Blocks, AreRefusedWithTheReason) {
+TEST_F(RunBlocks, AreRefusedWithTheReason) {
   const std::string id = run_of(slope_of_blocks("width_m = 40\n"));
   EXPECT_EQ(ask_for(id, {5}).status, 404);
   EXPECT_EQ(ask_for(id, {5}).problem(), "5: there is no such rock (it was not run)");
