@@ -9,6 +9,7 @@
 // pieces takes two to five steps, where taking contacts by turns takes tens to thousands: contacts that hold a body
 // together with a moment work against each other.
 
+#include <algorithm>
 #include <array>
 
 #include "talus/impact/contact_frame.hpp"
@@ -106,21 +107,22 @@ class ContactEquations {
   static constexpr double redundant = 1e-5;
 
   void fill(System& system, const Unknowns& z) const {
+    const std::size_t equations = std::min(size_, most);  // which the compiler does not see
     Unknowns rate = rate_;
-    for (std::size_t i = 0; i < size_; ++i) {
-      for (std::size_t j = 0; j < size_; ++j) rate[i] += response_[i][j] * z[j];
+    for (std::size_t i = 0; i < equations; ++i) {
+      for (std::size_t j = 0; j < equations; ++j) rate[i] += response_[i][j] * z[j];
     }
-    const auto clear = [&](std::size_t i) { std::fill_n(system.a[i].begin(), size_ + 1, 0.0); };
+    const auto clear = [&](std::size_t i) { std::fill_n(system.a[i].begin(), equations + 1, 0.0); };
     const auto vanish = [&](std::size_t i) {  // the unknown
       clear(i);
       system.a[i][i] = 1;
-      system.a[i][size_] = -z[i];
+      system.a[i][equations] = -z[i];
     };
     const auto stop = [&](std::size_t i) {  // its rate
       const double scale = 1 / response_[i][i];
-      for (std::size_t j = 0; j < size_; ++j) system.a[i][j] = scale * response_[i][j];
+      for (std::size_t j = 0; j < equations; ++j) system.a[i][j] = scale * response_[i][j];
       system.a[i][i] += redundant;
-      system.a[i][size_] = -scale * rate[i];
+      system.a[i][equations] = -scale * rate[i];
     };
     double push = 0, pushed = 0;  // now, and as far as the modes need it
     // Two unknowns from i on, of size `limit` at most, which is `share` of the pushes of `from` to `to`.
@@ -140,11 +142,11 @@ class ContactEquations {
         clear(i + k);
         row[i + k] = 1;
         for (std::size_t n = from; n < to; n += 3) row[n] -= share * d[k];
-        row[size_] = share * now * d[k] - z[i + k];
+        row[equations] = share * now * d[k] - z[i + k];
         for (std::size_t l = 0; l < 2; ++l) {
           const double across = turning * ((k == l ? 1 : 0) - d[k] * d[l]);
           row[i + l] -= across;
-          for (std::size_t j = 0; j < size_; ++j) row[j] += across * rho * response_[i + l][j];
+          for (std::size_t j = 0; j < equations; ++j) row[j] += across * rho * response_[i + l][j];
         }
       }
     };
@@ -169,7 +171,7 @@ class ContactEquations {
       vanish(i);
       const double share = std::copysign(pivot, y);
       for (std::size_t n = 0; n < i; n += 3) system.a[i][n] -= share;
-      system.a[i][size_] += share * push;
+      system.a[i][equations] += share * push;
     }
     if (rolling > 0) {
       resist(i + 1, rolling, rolling * pushed, push, 0, i);
