@@ -88,9 +88,4 @@ DrawnBlocks drawn_blocks(const std::filesystem::path& folder, const Model& model
   return blocks;
 }
 
-bool has_blocks(const Model& model) {
-  return has_extent(model.laws.model) &&
-         std::ranges::any_of(model.seeders, [](const Seeder& seeder) { return !seeder.shapes->kinds.empty(); });
-}
-
 }  // namespace talus::server

@@ -36,7 +36,4 @@ struct DrawnBlocks {
 [[nodiscard]] DrawnBlocks drawn_blocks(const std::filesystem::path& folder, const Model& model,
                                        std::span<const std::uint64_t> rocks);
 
-/// Whether any rock of the model has a shape.
-[[nodiscard]] bool has_blocks(const Model& model);
-
 }  // namespace talus::server

@@ -9,6 +9,7 @@
 #include "results/end_points.hpp"
 #include "results/one_rock.hpp"
 #include "routes/results.hpp"
+#include "talus/campaign/simulate.hpp"
 #include "talus/results/design_result.hpp"
 
 namespace talus::server {
