@@ -143,6 +143,7 @@ RockShape section_shape(std::span<const Vec2> outline) {
     section.corners.push_back({given.x(), 0, given.z()});
     section.reach = std::max(section.reach, section.corners.back().norm());
   }
+  find_faces(section.corners, section.triangles, section.hull);
   return section;
 }
 

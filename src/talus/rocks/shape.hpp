@@ -14,6 +14,7 @@
 #include "talus/core/matrix.hpp"
 #include "talus/core/orientation.hpp"
 #include "talus/core/vec.hpp"
+#include "talus/rocks/hull_faces.hpp"
 #include "talus/rocks/rock.hpp"
 
 namespace talus {
@@ -24,15 +25,18 @@ struct RockShape {
   Vec3 gyration;                                        // principal moments of inertia over the mass [m2]
   double reach = 0;                                     // from the centre to the farthest corner [m]
   Orientation as_given;                                 // from the body's frame to that in which it was given
+  HullFaces hull;                                       // if none, only corners touch the ground
 };
 
 /// The corners of a body in one place.
 struct Posture {
-  std::span<const Vec3> corners;  // of the shape
-  Mat3 turned;                    // from the shape's frame to that of the terrain, scaled
-  Vec3 centre;                    // [m]
-  double reach = 0;               // from there to the farthest corner [m]
+  std::span<const Vec3> corners;    // of the shape
+  Mat3 turned;                      // from the shape's frame to that of the terrain, scaled
+  Vec3 centre;                      // [m]
+  double reach = 0;                 // from there to the farthest corner [m]
+  const HullFaces* hull = nullptr;  // of the shape; null or none: only its corners are known
 
+  [[nodiscard]] bool has_faces() const { return hull != nullptr && !hull->is_empty(); }
   [[nodiscard]] Vec3 arm(std::size_t i) const { return turned * corners[i]; }
   [[nodiscard]] Vec3 place(std::size_t i) const { return centre + arm(i); }
 };
@@ -45,10 +49,11 @@ struct Body {
   Vec3 inertia;                   // principal moments [kg m2]
   double reach = 0;               // [m]
   double inner = 0;  // the radius of a sphere about the centre within the hull; 0 if it has no triangles [m]
+  const HullFaces* hull = nullptr;  // of the shape
 
   /// `turned`: from the body's frame to that of the terrain.
   [[nodiscard]] Posture at(const Vec3& centre, const Mat3& turned) const {
-    return {corners, scale * turned, centre, reach};
+    return {corners, scale * turned, centre, reach, hull};
   }
 };
 
@@ -63,7 +68,8 @@ struct Body {
   }
   return {shape.corners,       scale,
           rock.mass,           rock.mass * scale * scale * shape.gyration,
-          scale * shape.reach, scale * std::max(inner, 0.0)};
+          scale * shape.reach, scale * std::max(inner, 0.0),
+          &shape.hull};
 }
 
 /// The lengths of a body along its principal axes, the longest first [m].

@@ -35,6 +35,7 @@ double settle(RockShape& shape) {
   const Vec3 q = to_unit * to_unit * spread;
   shape.gyration = {q[1] + q[2], q[0] + q[2], q[0] + q[1]};
   shape.as_given = Orientation::of_matrix(axes.transposed());
+  find_faces(shape.corners, shape.triangles, shape.hull);
   return moments.volume;
 }
 
