@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "talus/rocks/ridge.hpp"
 #include "talus/rocks/touch.hpp"
 #include "talus/terrain/contact.hpp"
 
@@ -19,6 +20,32 @@ inline constexpr std::array<std::size_t, 3> next_corner{1, 2, 0};
 /// Its length is twice the area.
 [[nodiscard]] inline Vec3 area_normal(const Triangle& corner) {
   return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+}
+
+/// The corner of a facet that is farthest from a ridge.
+[[nodiscard]] inline Vec3 far_corner(const Triangle& facet, const Ridge& ridge) {
+  const Vec3 along = ridge.to - ridge.from;
+  const auto distance = [&](const Vec3& corner) { return along.cross(corner - ridge.from).squared_norm(); };
+  std::size_t farthest = 0;
+  for (std::size_t c = 1; c < 3; ++c) {
+    if (distance(facet[c]) > distance(facet[farthest])) farthest = c;
+  }
+  return facet[farthest];
+}
+
+/// Whether the facet beyond a side falls away from the plane of this one, by more than `min_bend` (a sine).
+[[nodiscard]] inline bool bends_down(const Triangle& corner, const Ridge& side, const Triangle& beyond,
+                                     double min_bend) {
+  const Vec3 along = side.to - side.from, far = far_corner(beyond, side) - side.from;
+  const Vec3 n = area_normal(corner);
+  return -n.dot(far) * along.norm() > min_bend * n.norm() * along.cross(far).norm();
+}
+
+[[nodiscard]] inline bool reaches_into(const Ridge& ridge, const Vec3& low, const Vec3& high) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (std::min(ridge.from[k], ridge.to[k]) > high[k] || std::max(ridge.from[k], ridge.to[k]) < low[k]) return false;
+  }
+  return true;
 }
 
 /// The first contact so far. At equal times a facet has priority over sides and corners, then the lower source number.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "talus/rocks/ridge.hpp"
 #include "talus/terrain/bvh.hpp"
 #include "talus/terrain/contact.hpp"
 
@@ -46,6 +47,21 @@ class Profile {
 
   template <class Touch>
   void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
+
+  // Convex vertices, as the ridges of RasterSurface: a segment's first end is its side 0, the other its side 1.
+  [[nodiscard]] Ridge ridge(FacetId facet, std::uint32_t side) const {
+    const Segment& segment = segments_[facet.index];
+    const Vec3 end = side == 0 ? segment.a : segment.a + segment.length * segment.along;
+    return {end, end, facet, side};
+  }
+  [[nodiscard]] std::array<Vec3, 2> beside(const Ridge& ridge) const {
+    const Segment& segment = segments_[ridge.facet.index];
+    if (ridge.side == 1) return {segment.a, segment.a};
+    const Vec3 after = segment.a + segment.length * segment.along;
+    return {ridge.facet.index > 0 ? segments_[ridge.facet.index - 1].a : after, after};
+  }
+  template <class Visit>
+  void visit_ridges(const Vec3& low, const Vec3& high, double min_bend, Visit&& visit) const;
 
  private:
   struct Segment {
@@ -88,6 +104,29 @@ void Profile::supports(const Vec3& centre, double radius, double reach, Touch&& 
     touch(distance > tolerance::no_distance ? away / distance : segment.normal,
           Vec3(segment.a + 0.5 * segment.length * segment.along), distance, FacetId{index_of(segment)});
   }
+}
+
+template <class Visit>
+void Profile::visit_ridges(const Vec3& low, const Vec3& high, double min_bend, Visit&& visit) const {
+  const auto look_at = [&](const Vec3& vertex, std::uint32_t segment, std::uint32_t side) {
+    if (vertex.x() < low.x() || vertex.x() > high.x() || vertex.z() < low.z() || vertex.z() > high.z()) return;
+    visit(Ridge{vertex, vertex, FacetId{segment}, side});
+  };
+  const auto count = static_cast<std::uint32_t>(segments_.size());
+  std::uint32_t k = 0;
+  if (is_height_field_) {
+    k = static_cast<std::uint32_t>(
+        std::partition_point(segments_.begin(), segments_.end(), [&](const Segment& s) { return s.a.x() < low.x(); }) -
+        segments_.begin());
+  }
+  for (; k < count; ++k) {
+    const Segment& segment = segments_[k];
+    if (is_height_field_ && segment.a.x() > high.x()) return;
+    if (segment.sharp_start && (k == 0 || segments_[k - 1].normal.dot(segment.along) < -min_bend)) {
+      look_at(segment.a, k, 0);
+    }
+  }
+  if (count > 0 && segments_.back().sharp_end) look_at(ridge({count - 1}, 1).from, count - 1, 1);
 }
 
 }  // namespace talus

@@ -180,6 +180,14 @@ Outline RasterSurface::outline(FacetId facet) const {
   return outline;
 }
 
+// ---- ridges ----
+
+std::array<Vec3, 2> RasterSurface::beside(const Ridge& ridge) const {
+  const Triangle here = triangle(ridge.facet);
+  const auto beyond = neighbours(ridge.facet)[ridge.side];
+  return {far_corner(here, ridge), far_corner(beyond ? triangle(*beyond) : here, ridge)};
+}
+
 // ---- contacts ----
 
 std::optional<Contact> RasterSurface::first_contact(const Parabola& path, double radius, double t_max,

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "talus/rocks/shape.hpp"
+#include "talus/rocks/ridge.hpp"
 #include "talus/terrain/facet_contact.hpp"
 #include "talus/terrain/flight_slabs.hpp"
 #include "talus/terrain/grid_walk.hpp"
@@ -70,11 +70,8 @@ class RasterSurface {
     return elevation(place.x(), place.y(), place.z()).has_value();
   }
   [[nodiscard]] std::optional<GroundBelow> ground_below(const Vec3& place) const;
-  /// Calls visit(corner, height) with the height [m] of each corner of a body over the ground straight below it,
-  /// negative in the ground, infinite off the terrain. Corners that are higher than `bound` may be left out. `visit`
-  /// returns the bound from there on.
-  template <class Visit>
-  void visit_low_corners(const Posture& body, double bound, Visit&& visit) const;
+  /// What is below a body: its low corners and the ridges near them (raster_under_body.hpp).
+  class UnderBody;
   /// The ratio of heights over any facet to distances from it, at most.
   [[nodiscard]] double slant() const { return slant_; }
   [[nodiscard]] std::optional<double> ground_over(const Vec3& place) const;
@@ -84,6 +81,18 @@ class RasterSurface {
   [[nodiscard]] Outline outline(FacetId facet) const;
   template <class Touch>
   void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
+
+  // Convex edges, and those where the surface ends (rocks/ridge.hpp).
+  [[nodiscard]] Ridge ridge(FacetId facet, std::uint32_t side) const {
+    const Triangle corner = triangle(facet);
+    return {corner[side], corner[next_corner[side]], facet, side};
+  }
+  /// The far corners of the facets that meet at a ridge; the same twice where the surface ends.
+  [[nodiscard]] std::array<Vec3, 2> beside(const Ridge& ridge) const;
+  /// Calls visit(ridge) for each ridge that may reach into a box. Where the slope changes by less than `min_bend` is
+  /// none.
+  template <class Visit>
+  void visit_ridges(const Vec3& low, const Vec3& high, double min_bend, Visit&& visit) const;
 
   [[nodiscard]] Triangle triangle(FacetId facet) const;
 
@@ -214,51 +223,17 @@ void RasterSurface::visit_cells(const Cells& cells, Visit&& visit) const {
   }
 }
 
-// The ground below a body lies under a plane of its mean slope. Most corners are so high above this plane that the
-// ground below them need not be known.
 template <class Visit>
-void RasterSurface::visit_low_corners(const Posture& body, double bound, Visit&& visit) const {
-  const double u0 = (body.centre.x() - grid_.x0) / grid_.dx, v0 = (body.centre.y() - grid_.y0) / grid_.dy;
-  const double u_reach = body.reach / grid_.dx + box_pad, v_reach = body.reach / grid_.dy + box_pad;
-  const bool is_inside = !has_holes_ && u0 > u_reach && v0 > v_reach && u0 + u_reach < static_cast<double>(columns_) &&
-                         v0 + v_reach < static_cast<double>(rows_);
-  if (!is_inside) {
-    for (std::size_t i = 0; i < body.corners.size(); ++i) {
-      const Vec3 place = body.place(i);
-      const auto ground = elevation(place.x(), place.y());
-      bound = visit(i, ground ? place.z() - *ground : std::numeric_limits<double>::infinity());
+void RasterSurface::visit_ridges(const Vec3& low, const Vec3& high, double min_bend, Visit&& visit) const {
+  visit_cells(cells_within(low.x(), high.x(), low.y(), high.y()), [&](FacetId facet, const Triangle& corner) {
+    const auto beyond = neighbours(facet);
+    for (std::uint32_t side = 0; side < 3; ++side) {
+      if (beyond[side] && beyond[side]->index < facet.index) continue;
+      const Ridge ridge{corner[side], corner[next_corner[side]], facet, side};
+      if (!reaches_into(ridge, low, high)) continue;
+      if (!beyond[side] || bends_down(corner, ridge, triangle(*beyond[side]), min_bend)) visit(ridge);
     }
-    return;
-  }
-  const auto west = static_cast<std::size_t>(u0 - u_reach), south = static_cast<std::size_t>(v0 - v_reach);
-  const auto across = static_cast<std::size_t>(u0 + u_reach) - west + 1,
-             along = static_cast<std::size_t>(v0 + v_reach) - south + 1;
-  const double du = u0 - static_cast<double>(west), dv = v0 - static_cast<double>(south);
-  const Plane over = plane_over(node(west, south), across, along);
-  // Of the corners: on plan from the south-west node, in cells; height over that plane.
-  const Vec3 along_u = body.turned.rows[0] / grid_.dx, along_v = body.turned.rows[1] / grid_.dy;
-  const Vec3 upwards = body.turned.rows[2] - over.along_u * along_u - over.along_v * along_v;
-  const double middle = body.centre.z() - over.z - over.along_u * du - over.along_v * dv;
-  const auto look_at = [&](std::size_t i) {
-    const Vec3& corner = body.corners[i];
-    const double u = du + along_u.dot(corner), v = dv + along_v.dot(corner);
-    const auto column = static_cast<std::int64_t>(u), row = static_cast<std::int64_t>(v);
-    const Cell here = cell(west + static_cast<std::size_t>(column), south + static_cast<std::size_t>(row));
-    const double ground = here.ground_within(u - static_cast<double>(column), v - static_cast<double>(row));
-    bound = visit(i, body.centre.z() + body.turned.rows[2].dot(corner) - ground);
-  };
-  std::size_t lowest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < body.corners.size(); ++i) {
-    const double height = upwards.dot(body.corners[i]);
-    lowest = height < least ? i : lowest;
-    least = std::min(least, height);
-  }
-  if (middle + least > bound) return;
-  look_at(lowest);
-  for (std::size_t i = 0; i < body.corners.size(); ++i) {
-    if (middle + upwards.dot(body.corners[i]) <= bound && i != lowest) look_at(i);
-  }
+  });
 }
 
 template <class Touch>

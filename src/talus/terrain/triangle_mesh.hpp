@@ -67,6 +67,20 @@ class TriangleMesh {
   template <class Touch>
   void supports(const Vec3& centre, double radius, double reach, Touch&& touch) const;
 
+  // Convex edges, as those of RasterSurface.
+  [[nodiscard]] Ridge ridge(FacetId facet, std::uint32_t side) const {
+    const Triangle& corner = facets_[facet.index].corner;
+    return {corner[side], corner[next_corner[side]], facet, side};
+  }
+  [[nodiscard]] std::array<Vec3, 2> beside(const Ridge& ridge) const {
+    const Facet& facet = facets_[ridge.facet.index];
+    const std::uint32_t beyond = facet.neighbour[ridge.side];
+    return {far_corner(facet.corner, ridge),
+            far_corner(beyond == no_neighbour ? facet.corner : facets_[beyond].corner, ridge)};
+  }
+  template <class Visit>
+  void visit_ridges(const Vec3& low, const Vec3& high, double min_bend, Visit&& visit) const;
+
  private:
   struct Facet {
     Triangle corner;
@@ -171,6 +185,22 @@ void TriangleMesh::supports(const Vec3& centre, double radius, double reach, Tou
       const auto& corner = facets_[k].corner;
       touch(distance > tolerance::no_distance ? away / distance : normal({k}),
             Vec3((corner[0] + corner[1] + corner[2]) / 3), distance, FacetId{k});
+    }
+  });
+}
+
+template <class Visit>
+void TriangleMesh::visit_ridges(const Vec3& low, const Vec3& high, double min_bend, Visit&& visit) const {
+  bvh_.visit_box(low, high, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t k = first; k < last; ++k) {
+      const Facet& facet = facets_[k];
+      for (std::uint32_t side = 0; side < 3; ++side) {
+        if ((facet.sharp >> side & 1U) == 0) continue;
+        const Ridge here = ridge({k}, side);
+        if (!reaches_into(here, low, high)) continue;
+        const std::uint32_t beyond = facet.neighbour[side];
+        if (beyond == no_neighbour || bends_down(facet.corner, here, facets_[beyond].corner, min_bend)) visit(here);
+      }
     }
   });
 }
