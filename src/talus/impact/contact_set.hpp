@@ -15,7 +15,7 @@ struct ContactPoint {
   Vec3 arm;                  // from the rock's centre of mass to the point [m]
   Vec3 normal;               // unit, out of the ground, roughness included
   FacetId facet{};           // of the ground
-  std::uint32_t corner = 0;  // of a rock with a shape
+  std::uint32_t corner = 0;  // of a rock with a shape; or on a ridge of the ground, as TouchPart says
   double gap = 0;            // of the point above the ground; negative in the ground [m]
 };
 

@@ -174,14 +174,14 @@ template <class Surface>
   return {halfway, touched_by(rock.surface, middle, reach_in(rock, dt)).contacts()};
 }
 
-/// A contact where the corner will touch the ground. Contacts of a face are then in one plane, whatever their gaps are:
+/// A contact where body and ground will touch. Contacts of a face are then in one plane, whatever their gaps are:
 /// closing these does not make some of them slip.
 [[nodiscard]] inline ContactPoint on_ground(ContactPoint contact) {
   contact.arm -= contact.gap * contact.normal;
   return contact;
 }
 
-/// Corners that come down faster than the cutoff. Those that do, but are not there yet, do not hold the body: `held`
+/// Contacts that come down faster than the cutoff. Those that do, but are not there yet, do not hold the body: `held`
 /// has all others.
 struct Strikes {
   ContactSet contacts;  // with their arms at the start of the step
@@ -190,20 +190,21 @@ struct Strikes {
 };
 
 template <class Surface>
-[[nodiscard]] Strikes strikes_in(const MovingRock<Surface>& rock, const Touching& phase, const ContactSet& contacts) {
+[[nodiscard]] Strikes strikes_in(const MovingRock<Surface>& rock, const Touching& phase, const ContactSet& contacts,
+                                 double dt) {
   Strikes strikes;
+  const Vec3 middle = rock.motion.position + 0.5 * dt * rock.motion.velocity;
   const Posture start = rock.body->at(rock.motion.position, phase.orientation.matrix());
   for (const ContactPoint& contact : contacts) {
     ContactPoint at_start = contact;
-    at_start.arm = start.arm(contact.corner);
+    at_start.arm = arm_in(start, contact, middle);
     const double approach = -(rock.motion.velocity + phase.spin.cross(at_start.arm)).dot(contact.normal);
     if (approach <= rock.leaving_speed) {
       strikes.held.add(on_ground(contact));
       continue;
     }
     if (contact.gap > tolerance::one_touch) continue;
-    const double until =
-        std::max(0.0, clearance(rock.surface, start.centre + at_start.arm) * contact.normal.z() / approach);
+    const double until = std::max(0.0, gap_in(rock.surface, start, contact) / approach);
     strikes.until = strikes.contacts.size() == 0 ? until : std::min(strikes.until, until);
     strikes.contacts.add(at_start);
   }
@@ -226,13 +227,13 @@ template <class Surface, class Sink>
   const double energy = step.energy(motion.position, motion.velocity, start.to_body(phase.spin));
   const Vec3 momentum = step.momentum_with(start, phase.spin);
   HalfStep half = half_step(rock, phase, dt);
-  Strikes strikes = strikes_in(rock, phase, half.contacts);
+  Strikes strikes = strikes_in(rock, phase, half.contacts, dt);
   if (strikes.contacts.size() > 0) {
     // The step ends where the corner comes down, unless that is here.
     if (strikes.until > tolerance::soon_struck * dt) {
       dt = std::min(dt, strikes.until);
       half = half_step(rock, phase, dt);
-      strikes = strikes_in(rock, phase, half.contacts);
+      strikes = strikes_in(rock, phase, half.contacts, dt);
     }
     if (strikes.contacts.size() > 0) return NextPhase{strike_with(rock, start, phase.spin, strikes.contacts, 0)};
   }
@@ -290,7 +291,7 @@ template <class Surface, class Sink>
 
   phase.apart = is_pushed ? 0 : phase.apart + dt;
   if (phase.apart > tolerance::apart_in_flight &&
-      lowest_corner(rock.surface, body.at(motion.position, end.matrix())).gap > tolerance::clear_in_flight) {
+      nearest_part(rock.surface, body.at(motion.position, end.matrix())).gap > tolerance::clear_in_flight) {
     return NextPhase{take_off(rock, phase)};
   }
   const bool is_slow =

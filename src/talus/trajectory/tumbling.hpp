@@ -1,9 +1,10 @@
 #pragma once
-// A rock with a shape in the air: its centre on a parabola, its rotation free, until a corner comes to the ground.
+// A rock with a shape in the air: its centre on a parabola, its rotation free, until it comes to the ground with
+// a corner, or onto a ridge of it.
 //
-// Before a sphere about the whole rock touches anything, no corner can. From there the flight is searched in steps in
-// which no corner leaves the chord of its way by more than a millimetre or two, and the first step into the ground is
-// narrowed down to the contact. All corners that touch there are struck together.
+// Before a sphere about the whole rock touches anything, nothing of it can. From there the flight is searched in steps
+// in which no corner leaves the chord of its way by more than a millimetre or two, and the first step into the ground
+// is narrowed down to the contact. All corners that touch there are struck together.
 
 #include <array>
 
@@ -30,13 +31,13 @@ struct BodyFlight {
   }
 };
 
-/// Just before and just after a corner comes through the surface, in the path's parameter.
+/// Just before and just after a body comes to the ground, in the path's parameter.
 struct Touchdown {
   double before, after;
-  std::optional<std::size_t> corner;  // the one that touches the ground `before`; none if its clearance jumps there
+  std::optional<TouchPart> part;  // that touches `before`; none if a corner's clearance jumps there
 };
 
-/// The corners of a body that come to the ground, and how it is turned there.
+/// Where a body comes to the ground, and how it is turned there.
 struct BodyTouch {
   ContactSet contacts;
   FreeRotation::Turned turned;
@@ -52,9 +53,10 @@ template <class Surface>
 
 /// Narrows a step of the flight from the open into the ground, by the false position of N. Anderson and A. Bjorck, "A
 /// new high order method of regula falsi type", BIT 13 (1973): if an end stays twice, its value counts for less.
-template <class Surface>
-[[nodiscard]] Touchdown touchdown_between(const Surface& surface, const BodyFlight& flight, double before, double after,
-                                          double above, double below, double sunk) {
+/// `nearest_at(s)`: what is nearest to the ground.
+template <class NearestAt>
+[[nodiscard]] Touchdown touchdown_between(NearestAt&& nearest_at, double before, double after, double above,
+                                          double below, double sunk) {
   constexpr int max_steps = 60;
   constexpr double aim = 0.5 * tolerance::corner_gap;
   double high = above - aim, low = below - aim;
@@ -62,14 +64,14 @@ template <class Surface>
   for (int i = 0; i < max_steps && after - before > tolerance::corner_time; ++i) {
     double s = before + (after - before) * high / (high - low);
     if (i % 8 == 7 || !(s > before && s < after)) s = 0.5 * (before + after);
-    const auto [corner, clearance] = lowest_corner(surface, flight.at(s));
-    const double gap = clearance - sunk, now = gap - aim;
+    const auto [part, nearest] = nearest_at(s);
+    const double gap = nearest - sunk, now = gap - aim;
     const auto lowered = [&](double kept, double replaced) {
       const double factor = 1 - now / replaced;
       return kept * (factor > 0 ? factor : 0.5);
     };
     if (gap > 0) {
-      if (gap <= tolerance::corner_gap) return {s, after, corner};
+      if (gap <= tolerance::corner_gap) return {s, after, part};
       if (moved == End::in_the_open) low = lowered(low, high);
       before = s;
       high = now;
@@ -82,6 +84,24 @@ template <class Surface>
     }
   }
   return {before, after, {}};
+}
+
+/// What has come to the ground `after`, there with `below` as what is nearest. Most touches are corners', and ridges
+/// need not be looked for on the way to these: none may be in the body where the corner touches.
+template <class Surface>
+[[nodiscard]] Touchdown narrowed_down(const Surface& surface, const BodyFlight& flight, double before, double after,
+                                      double above, const NearestPart& below, double sunk) {
+  const auto with_ridges = [&](double s) { return nearest_part(surface, flight.at(s)); };
+  double low = below.gap - sunk;
+  if (!below.part.is_ridge()) {
+    const auto corners = [&](double s) { return nearest_corner(surface, flight.at(s)); };
+    const Touchdown touch = touchdown_between(corners, before, after, above, low, sunk);
+    if (!flight.body.hull || flight.body.hull->is_empty()) return touch;
+    low = with_ridges(touch.before).gap - sunk;
+    if (low > 0) return touch;
+    after = touch.before;
+  }
+  return touchdown_between(with_ridges, before, after, above, low, sunk);
 }
 
 /// The lengths of steps of the search for a touchdown, in the path's parameter. Between two looks no corner should come
@@ -115,7 +135,7 @@ template <class Surface>
   constexpr double share_kept = 0.25;   // of the clearance, at least, in a step that is not short
   const double reach = flight.body.reach;
   const SearchSteps steps(flight);
-  double s = 0, above = lowest_corner(surface, flight.at(0)).gap;
+  double s = 0, above = nearest_part(surface, flight.at(0)).gap;
   // A corner may have sunk in by rounding: the flight begins on the ground all the same.
   const double sunk = std::min(0.0, above - tolerance::corner_gap);
   above -= sunk;
@@ -127,7 +147,7 @@ template <class Surface>
         const auto contact = surface.first_contact({centre, velocity, flight.path.a}, reach, s_max - s, {});
         if (!contact) return std::nullopt;
         s += contact->t;
-        above = lowest_corner(surface, flight.at(s)).gap - sunk;
+        above = nearest_part(surface, flight.at(s)).gap - sunk;
       }
       near = steps_near_ground;
     }
@@ -136,12 +156,14 @@ template <class Surface>
     double step = std::max(shortest, steps.within(above, speed));
     if (sinking > 0) step = std::max(shortest, std::min(step, (1 - 1.2 * share_kept) * above / sinking));
     double next = std::min(s_max, s + step);
-    double gap = lowest_corner(surface, flight.at(next)).gap - sunk;
-    if (step > shortest && gap < share_kept * above) {
+    NearestPart nearest = nearest_part(surface, flight.at(next));
+    if (step > shortest && nearest.gap - sunk < share_kept * above) {
+      const double gap = nearest.gap - sunk;
       next = std::min(s_max, s + std::max(shortest, std::min(0.5 * step, 0.7 * step * above / (above - gap))));
-      gap = lowest_corner(surface, flight.at(next)).gap - sunk;
+      nearest = nearest_part(surface, flight.at(next));
     }
-    if (gap <= 0) return touchdown_between(surface, flight, s, next, above, gap, sunk);
+    const double gap = nearest.gap - sunk;
+    if (gap <= 0) return narrowed_down(surface, flight, s, next, above, nearest, sunk);
     sinking = (above - gap) / (next - s);
     s = next;
     above = gap;
@@ -155,7 +177,7 @@ template <class Surface>
   return {body.inertia, phase.orientation, phase.spin};
 }
 
-/// At the first contact of a corner, or at t_max.
+/// At the first contact, or at t_max.
 template <class Surface>
 [[nodiscard]] FlightEnd<BodyTouch> first_contact(const MovingRock<Surface>& rock, const Tumbling& phase,
                                                  const Parabola& path, const LinearDrag& drag, double t_max) {
@@ -166,8 +188,8 @@ template <class Surface>
   if (!down) return {t_max, {}, {}};
   const FreeRotation::Turned turned = flight.turned_at(down->before);
   const Posture before = body.at(path.at(down->before), turned.matrix);
-  Touched touched = down->corner ? touched_by(rock.surface, before, tolerance::one_touch, *down->corner)
-                                 : struck_between(rock.surface, before, flight.at(down->after), tolerance::one_touch);
+  Touched touched = down->part ? touched_by(rock.surface, before, tolerance::one_touch, *down->part)
+                               : struck_between(rock.surface, before, flight.at(down->after), tolerance::one_touch);
   for (double wider = 10 * tolerance::one_touch; touched.is_empty() && wider < body.reach; wider *= 10) {
     touched = touched_by(rock.surface, before, wider);
   }
@@ -204,7 +226,7 @@ template <class Surface>
     if (heights[look] > heights[highest]) highest = look;
   }
   const auto look_at = [&](std::size_t look) {
-    const double height = lowest_corner(surface, flight.at(time_of(look))).gap;
+    const double height = nearest_corner(surface, flight.at(time_of(look))).gap;
     if (std::isfinite(height)) known = std::max(known, height);
   };
   look_at(highest);
