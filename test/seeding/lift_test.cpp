@@ -8,6 +8,8 @@
 
 #include "support/dice.hpp"
 #include "support/meshes.hpp"
+#include "talus/meshing/rock_shape.hpp"
+#include "talus/rocks/separation.hpp"
 #include "talus/terrain/profile.hpp"
 #include "talus/terrain/raster_surface.hpp"
 
@@ -100,6 +102,34 @@ TEST(Lifted, ACornerOfABodyTouchesTheGround) {
     EXPECT_NEAR(lowest_over(ground, body.at({x, y, start.z}, orientation.matrix())), 0, 2e-9) << k;
   }
   EXPECT_GT(moved, 100);
+}
+
+// Over ground finer than their faces blocks are raised until they are clear of all facets, and no higher.
+TEST(Lifted, ABlockTouchesGroundFinerThanItsFaces) {
+  Dice dice(44);
+  RasterGrid grid;
+  grid.columns = grid.rows = 60;
+  grid.dx = grid.dy = 0.25;
+  for (int k = 0; k < 60 * 60; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 0.4)));
+  const RasterSurface ground(grid);
+  const RockShape block = box_shape({1, 0.8, 0.5});
+  const auto is_clear = [&](const Posture& body) {
+    bool is_clear = true;
+    ground.supports(body.centre, body.reach, 0, [&](const Vec3&, const Vec3&, double, FacetId facet) {
+      const Triangle corner = ground.triangle(facet);
+      is_clear = is_clear && separation(body, corner);
+    });
+    return is_clear;
+  };
+  for (int k = 0; k < 300; ++k) {
+    const double x = dice.between(4, 10), y = dice.between(4, 10);
+    const Body body = body_of(block, sphere_of_diameter(dice.between(0.5, 2), 2700));
+    const Orientation orientation = Orientation::of_turn(dice.between(0, 3) * dice.direction());
+    const ClearPlace start = clear_place(ground, {x, y, *ground.elevation(x, y) - 0.2}, body, orientation);
+    EXPECT_EQ(start.fit, Fit::moved) << k;
+    EXPECT_TRUE(is_clear(body.at({x, y, start.z + 1e-6}, orientation.matrix()))) << k;
+    EXPECT_FALSE(is_clear(body.at({x, y, start.z - 1e-5}, orientation.matrix()))) << k;
+  }
 }
 
 TEST(Lifted, AFlatBlockIsRaisedByHalfItsThickness) {

@@ -7,7 +7,7 @@
 #include "talus/core/id.hpp"
 #include "talus/core/orientation.hpp"
 #include "talus/rocks/parabola.hpp"
-#include "talus/rocks/shape.hpp"
+#include "talus/rocks/ridge.hpp"
 #include "talus/rocks/touch.hpp"
 
 namespace talus {
@@ -94,13 +94,27 @@ template <class Surface>
   return centre.z() > place.z() ? ClearPlace{centre.z(), Fit::moved} : ClearPlace{place.z()};
 }
 
+/// How far a body must rise, at least, until no ridge of the ground below it is in it [m].
+template <class Surface>
+[[nodiscard]] double rise_over_ridges(const Surface& surface, const Posture& body) {
+  if (!body.has_faces()) return 0;
+  const Vec3 reach = Vec3::all(body.reach);
+  double rise = 0;
+  surface.visit_ridges(body.centre - reach, body.centre + reach, 0, [&](const Ridge& ridge) {
+    const auto at = ridge_gap(body, body.hull->all, ridge, -lift_detail::by_rounding);
+    if (at) rise = std::max(rise, height_in(body, ridge.from + at->s * (ridge.to - ridge.from)));
+  });
+  return rise;
+}
+
 /// Where a rock with a shape can be released, turned like this: as `place`, or raised until none of its corners is in
-/// the ground and one touches it. It is never moved through a ceiling.
+/// the ground, nor the ground in it, and it touches. It is never moved through a ceiling.
 template <class Surface>
 [[nodiscard]] ClearPlace clear_place(const Surface& surface, const Vec3& place, const Body& body,
                                      const Orientation& orientation) {
   using namespace lift_detail;
-  constexpr int max_rounds = 64;  // where ground lies over ground, a corner may come into the next
+  constexpr int max_rounds =
+      64;  // a corner may come into the next ground over it; of a ridge, another point is highest
   Vec3 open = place;
   if (const auto ground = surface.ground_over(place)) open.z() = *ground;
   Posture posture = body.at(place, orientation.matrix());
@@ -110,6 +124,7 @@ template <class Surface>
       const Vec3 corner = posture.place(i);
       if (const auto ground = surface.ground_over(corner)) rise = std::max(rise, *ground - corner.z());
     }
+    if (rise <= by_rounding) rise = rise_over_ridges(surface, posture);
     if (rise <= by_rounding) break;
     posture.centre.z() += rise;
   }
