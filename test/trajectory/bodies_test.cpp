@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -95,10 +96,13 @@ struct Recorder {
 struct OnPlane {
   double slope, friction, restitution = 0, rolling = 0;
   Laws with = laws();
+  FrictionRise rise{};
 
   Recorder follow(const RockShape& shape, Release release) const {
     const TriangleMesh ground_surface = plane(slope);
-    const Ground ground = ground_of({.rn = restitution, .rt = 0.8, .mu = friction, .rolling = rolling});
+    Material material = ground_of({.rn = restitution, .rt = 0.8, .mu = friction, .rolling = rolling}).materials()[0];
+    material.friction_rise = rise;
+    const Ground ground(material);
     release.shape = &shape;
     const Draws draws(SamplingPlan{}, 0);
     Recorder recorder;
@@ -293,12 +297,42 @@ TEST(Bodies, FencesHoldThem) {
   }
 }
 
+// A block of 2 x 2 m slides down on its face, and friction rises with its way. The friction under a face that is as
+// long as the centre is high twice over leaves (1 - mu) / 2 of the weight to its rear edge: it tips when mu(s) comes
+// to 1. Way, time and velocity there by quadrature: Leine et al. 2014, 5.1.
+TEST(Bodies, ABlockTipsWhereFrictionHasRisen) {
+  const double slope = 45 * radians;
+  const RockShape block = box({2, 10, 2});
+  OnPlane on{slope, 0.2};
+  on.rise = {1.3, 0.7, 20};
+  on.with.timestep = 0.002;
+  Release release = standing(40, slope, 1);
+  const Recorder seen = on.follow(block, release);
+  const auto turns = std::find_if(seen.moments.begin(), seen.moments.end(),
+                                  [](const Motion& m) { return m.time > 0.1 && m.spin.norm() > 1e-4; });
+  ASSERT_NE(turns, seen.moments.end());
+  const Motion& last = *std::prev(turns);
+  EXPECT_NEAR(last.time, 1.281369, 0.01);
+  EXPECT_NEAR((last.position - release.motion.position).norm(), 3.128135, 0.035);
+  EXPECT_NEAR(last.velocity.norm(), 3.491762, 0.01);
+}
+
+TEST(Bodies, FrictionRisesFromItsLeastToItsMost) {
+  const FrictionRise rise{1.3, 0.7, 20}, none;
+  EXPECT_EQ(rise.friction(0.2, 0), 0.2);
+  EXPECT_NEAR(rise.friction(0.2, 3.128135), 1, 1e-6);
+  EXPECT_NEAR(rise.friction(0.2, 1e9), 1.3, 1e-6);
+  EXPECT_EQ(none.friction(0.2, 5), 0.2);
+}
+
 // A run that goes on from a copy of a body's state ends where the body does.
 TEST(Bodies, GoOnFromACopyOfTheirState) {
   Dice dice(11);
   const std::atomic<bool> requested{true};
   const RockShape block = box({1, 0.8, 0.5});
-  const Ground ground = ground_of({.rn = 0.3, .rt = 0.8, .mu = 0.6, .rolling = 0.02, .roughness = 0.1});
+  Material material = ground_of({.rn = 0.3, .rt = 0.8, .mu = 0.6, .rolling = 0.02, .roughness = 0.1}).materials()[0];
+  material.friction_rise = {1.5, 2, 5};
+  const Ground ground(material);
   Laws with = laws();
   with.roughness = RoughnessLaw::tilts;
   int copies = 0;

@@ -2,7 +2,9 @@
 // The materials of the ground with their random properties, and the material of each facet.
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +17,21 @@
 
 namespace talus {
 
+/// Friction under a rock with a shape that rises with the way s it has slid [m]: from mu, that of dynamic_friction, to
+/// mu + 2/pi (most - mu) atan(rise s). On the ground s grows with the way of the rock's centre; in the air it fades as
+/// exp(-decay t). Source: R. Leine et al. (2014), doi 10.1007/s11044-013-9393-4, equations 46 and 47, where s stands
+/// for the soil that a rock piles up before it.
+struct FrictionRise {
+  double most = 0;   // mu_max
+  double rise = 0;   // kappa [1/m]; 0: friction does not depend on s
+  double decay = 0;  // beta [1/s]
+
+  [[nodiscard]] double friction(double mu, double slid) const {
+    if (rise == 0) return mu;
+    return mu + 2 / std::numbers::pi * std::max(most - mu, 0.0) * std::atan(rise * slid);
+  }
+};
+
 struct Material {
   std::string name;
   Sampler normal_restitution;      // Rn, 0 to 1
@@ -26,6 +43,7 @@ struct Material {
   double forest_drag = 0;          // b of the force -b v in its forest [kg/s]; 0: no forest
   double forest_height = 0;        // height above the ground below which the forest brakes [m]
   double ground_drag = 0;          // drag on a sliding or rolling rock, over mass and velocity [1/s]
+  FrictionRise friction_rise;      // rocks with a shape
 
   [[nodiscard]] bool has_forest() const { return forest_drag > 0 && forest_height > 0; }
 };

@@ -34,6 +34,8 @@ talus::Material material_of(const Material& m, const Analysis& a) {
   material.forest_drag = m.forest_drag();
   material.forest_height = m.forest_height_m.value_or(0);
   material.ground_drag = m.ground_drag_per_s;
+  if (m.max_friction && m.friction_rise_per_m && m.friction_decay_per_s)
+    material.friction_rise = {*m.max_friction, *m.friction_rise_per_m, *m.friction_decay_per_s};
   return material;
 }
 

@@ -98,6 +98,12 @@ void MaterialRules::check_sphere(const Material& material, const toml::table& ro
 /// Beyond these, restitution of eccentric contacts with friction can create energy: Rn^2 G_nn (G^-1)_nn, with G the
 /// inverse mass of the contact, exceeds 1 for some blocks in some postures.
 void MaterialRules::check_body(const Material& material, const toml::table& row, const std::string& where) const {
+  if (material.max_friction && *material.max_friction < material.dynamic_friction.mean) {
+    report({row.get("max_friction"), &row, "max_friction"}, where,
+           fmt::format("max_friction is {}, but dynamic_friction {}", number_text(*material.max_friction),
+                       number_text(material.dynamic_friction.mean)),
+           "friction rises from dynamic_friction to max_friction", "Give more than dynamic_friction", Severity::error);
+  }
   constexpr double max_restitution = 0.67, low_friction = 0.2;
   const double rn = material.normal_restitution.mean;
   if (!(rn > max_restitution) || !(material.dynamic_friction.mean > low_friction)) return;

@@ -93,6 +93,7 @@ struct Material {
   std::optional<double> forest_drag_kg_s;
   std::optional<double> forest_height_m;
   double ground_drag_per_s = 0;
+  std::optional<double> max_friction, friction_rise_per_m, friction_decay_per_s;  // all or none
 
   /// b of its forest, as given or by its density [kg/s]; 0: no forest.
   [[nodiscard]] double forest_drag() const { return forest_drag_kg_s.value_or(talus::forest_drag(forest)); }

@@ -176,6 +176,11 @@ class MovingRock : public RockState {
     return exit.t <= tolerance::at_once && !exit.beneath ? std::optional(exit) : std::nullopt;
   }
 
+  /// The friction of the ground that it has left fades for a time in the air [s]: FrictionRise.
+  void fade_friction(double time) {
+    if (slid > 0) slid *= std::exp(-ground[material_at(last_contact.with.facet)].friction_rise.decay * time);
+  }
+
   // ---- its maxima ----
   void update_max_energy() { outcome.max_kinetic_energy = std::max(outcome.max_kinetic_energy, kinetic_energy()); }
   /// In the first `t` of a leg on a facet or one of its edges or vertices.

@@ -67,7 +67,8 @@ struct RockState {
   std::uint32_t contacts = 0;    // for which the ground's properties were drawn
   std::uint32_t short_legs = 0;  // since the last that counted as a step
   std::int64_t steps = 0;        // flights and stretches so far, and one for every hundred short legs
+  double slid = 0;               // s of FrictionRise, of a rock with a shape [m]
 };
-static_assert(std::is_trivially_copyable_v<RockState> && sizeof(RockState) == 440);
+static_assert(std::is_trivially_copyable_v<RockState> && sizeof(RockState) == 448);
 
 }  // namespace talus

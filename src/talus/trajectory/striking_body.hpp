@@ -70,7 +70,7 @@ template <class Surface, class Sink>
   const auto [rn, rt] = draw.restitution(material);
   // Tangential restitution could create energy at eccentric contacts; friction alone acts along the ground.
   const Restitution restitution{rock.laws.restitution_scaling.scaled(rn, approach, body.mass), 0};
-  const double friction = draw.dynamic_friction(material);
+  const double friction = material.friction_rise.friction(draw.dynamic_friction(material), rock.slid);
   const BodyInertia inertia = inertia_of(body, orientation);
   const MomentArms arms{
       rolling_resists_in_impacts(rock.laws.impact) ? draw.rolling_friction(material) * rock.rock.radius : 0, 0};

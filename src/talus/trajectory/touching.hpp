@@ -49,6 +49,14 @@ template <class Surface>
   return {arm, 2.0 / 3 * friction.dynamic * arm};
 }
 
+/// After so much more way along the ground [m].
+template <class Surface>
+[[nodiscard]] ContactFriction friction_under(const MovingRock<Surface>& rock, const Touching& phase, double way = 0) {
+  ContactFriction friction = phase.friction.sphere;
+  friction.dynamic = rock.ground[phase.ground].friction_rise.friction(friction.dynamic, rock.slid + way);
+  return friction;
+}
+
 /// The impulses of a step are near to those that held the body in the last one: kept in Touching, in proportion to mass
 /// and duration.
 template <class Surface>
@@ -62,7 +70,7 @@ template <class Surface>
       if (hold.corner == contacts[i].corner) near.at[i] = unit * Vec3(hold.pull[0], hold.pull[1], hold.pull[2]);
     }
   }
-  const ContactFriction& friction = phase.friction.sphere;
+  const ContactFriction friction = friction_under(rock, phase, 0.5 * dt * rock.motion.velocity.norm());
   const RigidBodyImpact held =
       held_by_contacts(velocity, spin, inertia, contacts, dt, friction.dynamic, moment_arms(rock, friction), near);
   const auto kept = [&](const Vec3& v) {
@@ -78,12 +86,12 @@ template <class Surface>
 /// Whether friction and the resistance to rolling hold the body where it is, without a motion.
 template <class Surface>
 [[nodiscard]] bool is_held(const MovingRock<Surface>& rock, const BodyInertia& inertia, const ContactSet& contacts,
-                           const GroundFriction& friction) {
+                           const ContactFriction& friction) {
   const Vec3 pull = rock.laws.timestep * rock.laws.gravity;
   constexpr double ever = std::numeric_limits<double>::infinity();
-  const auto [velocity, spin] = held_by_contacts(pull, Vec3{}, inertia, contacts, ever, friction.sphere.dynamic,
-                                                 moment_arms(rock, friction.sphere), {})
-                                    .rebound;
+  const auto [velocity, spin] =
+      held_by_contacts(pull, Vec3{}, inertia, contacts, ever, friction.dynamic, moment_arms(rock, friction), {})
+          .rebound;
   return velocity.norm() + spin.norm() * rock.body->reach <= tolerance::held_share * pull.norm();
 }
 
@@ -282,6 +290,13 @@ template <class Surface, class Sink>
   const Parabola leg{before.position, way / dt, Vec3{}};
   const BodyLeg way_there{body, leg, dt, start, halfway, start_spin, spin};
   if (auto met = meet_barriers_in_touch(rock, phase, facet, way_there, after)) return NextPhase{*std::move(met)};
+  if (rock.ground[phase.ground].friction_rise.rise > 0) {
+    if (is_pushed) {
+      rock.slid += way.norm();
+    } else {
+      rock.fade_friction(dt);
+    }
+  }
   motion = after;
   rock.tell(event::Turned{motion, body, end, end_spin});
   rock.cover_leg(facet, leg, dt, before, motion);
@@ -302,7 +317,7 @@ template <class Surface, class Sink>
     // Corners that nearly touch will hold it, too: from step to step, some of them hover.
     const auto near =
         touched_by(rock.surface, body.at(motion.position, end.matrix()), tolerance::near_touch).contacts();
-    if (near.size() > 0 && is_held(rock, inertia_of(body, end), near, phase.friction)) {
+    if (near.size() > 0 && is_held(rock, inertia_of(body, end), near, friction_under(rock, phase))) {
       return NextPhase{come_to_rest(rock)};
     }
   }

@@ -247,6 +247,7 @@ template <class Surface>
 template <class Surface, class Sink>
 [[nodiscard]] Phase come_down(TrackedRock<Surface, Sink>& rock, const Tumbling& phase, const BodyTouch& touch) {
   const double flown = rock.motion.time - phase.since;
+  rock.fade_friction(flown);
   return strike_with(rock, Orientation::of_matrix(touch.turned.matrix), touch.turned.spin, touch.contacts,
                      flown < tolerance::quick_impact ? phase.quick + 1 : 0);
 }
@@ -269,6 +270,7 @@ template <class Surface>
 template <class Surface, class Sink>
 [[nodiscard]] Phase fly_on(TrackedRock<Surface, Sink>& rock, const Tumbling& phase, const Vec3& spin_before) {
   Motion& motion = rock.motion;
+  rock.fade_friction(motion.time - phase.since);
   const auto [orientation, spin] = rotation_of(*rock.body, phase).at(motion.time - phase.since);
   const Vec3 left = spin_after(rock, spin, spin_before);
   motion.spin = spin_of_sphere(rock.rock, *rock.body, orientation, left);
