@@ -318,6 +318,7 @@ TEST(RigidBody, FrictionAndMomentsHoldItTogether) {
 // It slips, rolls and pivots on one contact: friction and moments have their limits, and are against what is left.
 TEST(RigidBody, MomentsAreAgainstWhatIsLeftOfASpin) {
   Dice dice(7);
+  int rolls = 0, pivots = 0;
   for (int i = 0; i < 1000; ++i) {
     const auto [box, contacts, velocity, spin] = random_impact(dice, 1);
     const MomentArms arms{0.05 * contacts[0].arm.norm(), 0.01 * contacts[0].arm.norm()};
@@ -327,13 +328,22 @@ TEST(RigidBody, MomentsAreAgainstWhatIsLeftOfASpin) {
     const double push = after.by.at[0].dot(n);
     if (push == 0) continue;
     const Vec3 rolling = tangential(after.by.moment, n), left = tangential(after.rebound.spin, n);
-    EXPECT_NEAR(rolling.norm(), arms.rolling * push, 1e-5 * arms.rolling * push);
-    EXPECT_NEAR(rolling.dot(left), -rolling.norm() * left.norm(), 1e-4 * rolling.norm() * left.norm());
+    EXPECT_LE(rolling.norm(), arms.rolling * push * (1 + 1e-9));
+    constexpr double ended = 0.1;  // below, what is left is not settled well enough
+    if (left.norm() > ended) {
+      EXPECT_NEAR(rolling.norm(), arms.rolling * push, 1e-5 * arms.rolling * push);
+      EXPECT_NEAR(rolling.dot(left), -rolling.norm() * left.norm(), 1e-4 * rolling.norm() * left.norm());
+      ++rolls;
+    }
     const double pivoting = after.by.moment.dot(n), pivot = after.rebound.spin.dot(n);
     EXPECT_LE(std::abs(pivoting), arms.pivot * push * (1 + 1e-9));
-    if (std::abs(pivot) < 1e-3) continue;  // it has ended
-    EXPECT_NEAR(pivoting, -std::copysign(arms.pivot * push, pivot), 1e-5 * arms.pivot * push);
+    if (std::abs(pivot) > ended) {
+      EXPECT_NEAR(pivoting, -std::copysign(arms.pivot * push, pivot), 1e-5 * arms.pivot * push);
+      ++pivots;
+    }
   }
+  EXPECT_GT(rolls, 500);
+  EXPECT_GT(pivots, 500);
 }
 
 TEST(RigidBody, AContactClosesItsGapAndNoMore) {

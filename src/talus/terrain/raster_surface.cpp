@@ -43,18 +43,6 @@ struct Sides {
 };
 constexpr std::array<Sides, 4> sides_of{{{0, 2, 1}, {1, 0, 2}, {0, 1, 2}, {1, 2, 0}}};
 
-/// Of facets whose slopes along x and along y are the steepest between neighbouring nodes.
-double steepest_slant(const RasterGrid& grid) {
-  float along_x = 0, along_y = 0;
-  for (std::size_t row = 0; row < grid.rows; ++row) {
-    const float* const z = grid.z.data() + row * grid.columns;
-    for (std::size_t i = 0; i + 1 < grid.columns; ++i) along_x = std::max(along_x, std::abs(z[i + 1] - z[i]));
-    if (row + 1 == grid.rows) continue;
-    for (std::size_t i = 0; i < grid.columns; ++i) along_y = std::max(along_y, std::abs(z[i + grid.columns] - z[i]));
-  }
-  return std::hypot(1, along_x / grid.dx, along_y / grid.dy);
-}
-
 }  // namespace
 
 RasterSurface::RasterSurface(RasterGrid grid) : grid_(std::move(grid)) {
