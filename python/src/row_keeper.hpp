@@ -91,7 +91,7 @@ class RowKeeper : public Observer {
     Row row;
     for (std::size_t k = begin; k < end; ++k) {
       unpack(rows_.bytes.data() + k * rows_.layout.size, rows_.layout, row);
-      append_row(text, row, &memory);
+      append_row(text, row, &memory, columns_in_run<Row>(context_.has_blocks));
     }
     return text;
   }

@@ -326,6 +326,15 @@ class Material(Table):
 
     ground_drag_per_s: Viscoplastic drag of soft ground: in addition to friction, a sliding or rolling rock is
     decelerated by this times its velocity. Unit: 1/s. Range: at least 0, at most 1e+06. Default: 0.
+
+    max_friction: Rigid body: Friction of blocks that rises with the way s that they slide: from dynamic_friction it
+    comes near to this. Range: at least 0, at most 1e+06. Without it: friction does not depend on the way slid.
+
+    friction_rise_per_m: Rigid body: kappa of that rise, 2/pi atan(kappa s). Unit: 1/m. Range: more than 0, at most
+    1e+06. Without it: friction does not depend on the way slid.
+
+    friction_decay_per_s: Rigid body: beta: in the air s fades as exp(-beta t). Unit: 1/s. Range: at least 0, at
+    most 1e+06. Without it: friction does not depend on the way slid.
     """
 
     name: str | None = None
@@ -342,6 +351,9 @@ class Material(Table):
     forest_drag_kg_s: Real | None = None
     forest_height_m: Real | None = None
     ground_drag_per_s: Real | None = None
+    max_friction: Real | None = None
+    friction_rise_per_m: Real | None = None
+    friction_decay_per_s: Real | None = None
 
 
 @dataclass(kw_only=True)
