@@ -78,12 +78,15 @@ TEST_F(BuiltInExperiments, ResultsInTheDocumentationIsNotStale) {
     std::vector<ResultRow> rows;
     TableReader<ResultRow> reader(experiments_folder / name / ResultRow::file_name);
     while (reader.next()) rows.push_back(reader.whole());
+    std::vector<GroupRow> groups;
+    TableReader<GroupRow> group(experiments_folder / name / GroupRow::file_name);
+    while (group.next()) groups.push_back(group.whole());
     const std::string mark = "<!-- results of " + name + " -->\n", end = "<!-- end of results -->";
     const std::size_t begin = page.find(mark);
     ASSERT_NE(begin, std::string::npos) << mark;
     const std::size_t last = page.find(end, begin);
     ASSERT_NE(last, std::string::npos);
-    page = page.substr(0, begin + mark.size()) + "\n" + markdown(experiment, rows) + "\n" + page.substr(last);
+    page = page.substr(0, begin + mark.size()) + "\n" + markdown(experiment, rows, groups) + "\n" + page.substr(last);
     for (const std::string& limit : experiment.limits) EXPECT_THAT(page, HasSubstr(limit));
   }
   if (std::getenv("TALUS_RENEW_REFERENCE") != nullptr) std::ofstream(file) << page;

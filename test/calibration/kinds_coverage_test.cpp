@@ -74,7 +74,7 @@ class Kinds : public ::testing::Test {
 
   static int replicas() {
     const char* effort = std::getenv("TALUS_TEST_EFFORT");
-    return effort == nullptr ? 40 : static_cast<int>(40 * std::clamp(std::atof(effort), 1.0, 5.0));
+    return effort == nullptr ? 20 : static_cast<int>(20 * std::clamp(std::atof(effort), 1.0, 10.0));
   }
 
   static study::PreparedSite site_with(std::uint64_t seed, const std::string& project) {

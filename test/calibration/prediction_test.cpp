@@ -7,9 +7,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "support/input_folder.hpp"
+#include "talus/calibration/validation_results.hpp"
 #include "talus/project/read.hpp"
 #include "talus/study/prepared_site.hpp"
 
@@ -149,6 +152,47 @@ TEST_F(PredictedSites, ErrorsOfTheConstantAreThoseOfTheOtherHalf) {
   EXPECT_NEAR(site.rmse_constant, std::sqrt(squares), 1e-9);
   EXPECT_EQ(site.learned_from.front().name, "b0");
   EXPECT_EQ(site.runs.front().observed.name, "a0");
+}
+
+// One release is far below the others, and every replica has its own seed.
+TEST_F(PredictedSites, EachRunIsPredictedFromItsOwnRelease) {
+  std::string releases = "name,x_m,height_above_m,horizontal_velocity_m_s\n", stops = "name,x_m\n";
+  for (int k = 0; k < runs_of_half; ++k) {
+    const bool is_low = k == 3;
+    releases += "a" + std::to_string(k) + (is_low ? ",250" : ",2") + ",1,2\n";
+    stops += "a" + std::to_string(k) + (is_low ? ",255\n" : ",60\n");
+  }
+  write("releases-a.csv", releases);
+  write("stops-a.csv", stops);
+  for (const PredictedRun& run : predicted()[0].runs) {
+    const bool is_low = run.observed.name == "a3";
+    for (const Vec2& stop : run.stops) {
+      ASSERT_EQ(stop.x() > 249, is_low) << run.observed.name;
+    }
+  }
+}
+
+TEST_F(PredictedSites, RunsAreComparedByGroups) {
+  std::string stops = "name,x_m,group\n";
+  for (int k = 0; k < 4; ++k)
+    stops += "a" + std::to_string(k) + "," + std::to_string(60 + k) + (k < 3 ? ",cube\n" : ",slab\n");
+  write("stops-a.csv", stops);
+  const ModelResult result{"points", {predicted()[0]}};
+  const std::vector<GroupRow> rows = group_rows_of(std::span(&result, 1));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].group, "cube");
+  EXPECT_EQ(rows[0].runs, 3U);
+  EXPECT_EQ(rows[1].group, "slab");
+  const auto& runs = result.sites[0].runs;
+  double observed = 0, squares = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double runout = runs[static_cast<std::size_t>(k)].observed.runout();
+    observed += runout / 3;
+    squares +=
+        (runs[static_cast<std::size_t>(k)].mean - runout) * (runs[static_cast<std::size_t>(k)].mean - runout) / 3;
+  }
+  EXPECT_NEAR(rows[0].observed_mean, observed, 1e-9);
+  EXPECT_NEAR(rows[0].rmse, std::sqrt(squares), 1e-9);
 }
 
 TEST_F(PredictedSites, StopsOfUnknownReleasesAreRefused) {

@@ -57,13 +57,14 @@ std::size_t rows_of_releases(const Model& model) {
   return rows;
 }
 
-/// The rock of each row of the tables of releases, by the row's name. Expects one rock for each row.
-std::map<std::string, std::uint64_t> rocks_by_name(const Model& model) {
+/// The rock of each row of the tables of releases, by the row's name. Expects one rock for each row. With another seed
+/// the same rows have other rocks.
+std::map<std::string, std::uint64_t> rocks_by_name(const Model& model, std::uint64_t seed) {
   std::map<std::string, std::uint64_t> rocks;
   for (const Seeder& seeder : model.seeders) {
     const auto* table = std::get_if<ReleaseTable>(&*seeder.where);
     if (table == nullptr || table->names.empty()) continue;
-    const ReleaseOrder order = release_order(seeder, model.seed);
+    const ReleaseOrder order = release_order(seeder, seed);
     for (std::uint64_t rock = seeder.first_rock; rock < seeder.first_rock + seeder.rocks; ++rock) {
       rocks.emplace(table->names[table->number(table->row_at(order.place_of(rock))) - 1], rock);
     }
@@ -119,7 +120,9 @@ class TargetSite {
     }
     std::vector<std::vector<Vec2>> stops(runs_.size(), std::vector<Vec2>(sets.size()));
     site_.run(numbers, sets, {.threads = threads, .seeds = seeds}, [&](std::size_t k, study::SetOutcome&& outcome) {
-      for (std::size_t run = 0; run < runs_.size(); ++run) stops[run][k] = outcome.ends[rocks_[run]].end.xy();
+      const auto rocks = rocks_by_name(site_.model(), seeds[k]);
+      for (std::size_t run = 0; run < runs_.size(); ++run)
+        stops[run][k] = outcome.ends[rocks.at(runs_[run].name)].end.xy();
     });
     return stops;
   }
@@ -127,10 +130,10 @@ class TargetSite {
  private:
   void match(const std::filesystem::path& file) {
     const calibration::ObservationTable table(file);
-    const auto rocks = rocks_by_name(site_.model());
+    const auto rocks = rocks_by_name(site_.model(), site_.model().seed);
     auto column = table.find({"release"});
     if (!column) column = table.find({"name"});
-    const auto x = table.find({"x_m"}), y = table.find({"y_m"});
+    const auto x = table.find({"x_m"}), y = table.find({"y_m"}), group = table.find({"group"});
     if (!column || !x || (!y && !site_.project().is_2d()) || rocks.empty()) {
       throw BadInput(Problem{
           .file = file.string(),
@@ -158,15 +161,13 @@ class TargetSite {
         problems.add(std::move(problem));
         continue;
       }
-      rocks_.push_back(rock->second);
-      runs_.push_back({name, once.ends[rock->second].release.xy(), stop});
+      runs_.push_back({name, group ? table.text(row, *group) : "", once.ends[rock->second].release.xy(), stop});
     }
     if (problems.has_errors()) throw BadInput(std::move(problems));
   }
 
   study::PreparedSite site_;
   std::vector<ObservedRun> runs_;
-  std::vector<std::size_t> rocks_;  // of each run
 };
 
 std::vector<double> runouts_of(const std::vector<ObservedRun>& runs) {

@@ -17,6 +17,7 @@ namespace talus::validation {
 /// A run of the experiment. Places on plan, in the project's coordinates [m].
 struct ObservedRun {
   std::string name;
+  std::string group;  // of the column `group` of its stops; may be empty
   Vec2 release, stop;
   [[nodiscard]] double runout() const { return (stop - release).norm(); }
 };

@@ -106,6 +106,21 @@ std::string published_table(const Experiment& experiment) {
   return text + "</table>\n";
 }
 
+std::string group_table(std::span<const GroupRow> groups) {
+  if (groups.empty()) return "";
+  std::string text =
+      "<h2>By group</h2>\n<table>" + cells({"group", "model", "runs", "observed mean runout, m", "predicted, m",
+                                            "error of a run, m: root mean square", "of a constant"},
+                                           "th");
+  for (const GroupRow& row : groups) {
+    text += cells(
+        {row.group, row.model, fmt::format("{}", row.runs), fmt::format("{:.1f}", row.observed_mean),
+         fmt::format("{:.1f}", row.mean), fmt::format("{:.1f}", row.rmse), fmt::format("{:.1f}", row.rmse_constant)},
+        "td");
+  }
+  return text + "</table>\n";
+}
+
 /// What was predicted for each run, in the order of the observed runouts.
 std::string run_figure(const SitePrediction& site) {
   std::vector<const PredictedRun*> runs;
@@ -232,7 +247,8 @@ std::string page_of(const Experiment& experiment, std::span<const ModelResult> m
       "<body>\n<h1>Validation: {0}</h1>\n<p>{2}</p>\n",
       title, style, escaped(experiment.summary));
   for (const std::string& limit : experiment.limits) text += fmt::format("<p class=\"limit\">{}</p>\n", escaped(limit));
-  text += results_table(models) + scores_table(models) + published_table(experiment);
+  text +=
+      results_table(models) + scores_table(models) + group_table(group_rows_of(models)) + published_table(experiment);
   for (const ModelResult& model : models) {
     text += fmt::format("<h2>{}</h2>\n", escaped(model.model));
     for (const SitePrediction& site : model.sites) {

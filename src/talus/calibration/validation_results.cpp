@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "talus/files/output_file.hpp"
 
@@ -78,6 +80,41 @@ std::vector<ResultRow> rows_of(std::span<const ModelResult> models) {
   return rows;
 }
 
+std::vector<GroupRow> group_rows_of(std::span<const ModelResult> models) {
+  struct Sums {
+    double runs = 0, observed = 0, predicted = 0, squares = 0, squares_of_constant = 0;
+  };
+  std::map<std::pair<std::string, std::size_t>, Sums> groups;
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    for (const SitePrediction& site : models[m].sites) {
+      double constant = 0;
+      for (const ObservedRun& other : site.learned_from)
+        constant += other.runout() / static_cast<double>(site.learned_from.size());
+      for (const PredictedRun& run : site.runs) {
+        if (run.observed.group.empty()) continue;
+        Sums& sums = groups[{run.observed.group, m}];
+        const double runout = run.observed.runout();
+        sums.runs += 1;
+        sums.observed += runout;
+        sums.predicted += run.mean;
+        sums.squares += (run.mean - runout) * (run.mean - runout);
+        sums.squares_of_constant += (constant - runout) * (constant - runout);
+      }
+    }
+  }
+  std::vector<GroupRow> rows;
+  for (const auto& [key, sums] : groups) {
+    rows.push_back({.model = models[key.second].model,
+                    .group = key.first,
+                    .runs = static_cast<std::uint64_t>(sums.runs),
+                    .observed_mean = sums.observed / sums.runs,
+                    .mean = sums.predicted / sums.runs,
+                    .rmse = std::sqrt(sums.squares / sums.runs),
+                    .rmse_constant = std::sqrt(sums.squares_of_constant / sums.runs)});
+  }
+  return rows;
+}
+
 namespace {
 
 /// What the rows say in short, so that the page states no number that they do not have. Expects one row or more.
@@ -111,7 +148,7 @@ std::string findings(std::span<const ResultRow> rows) {
 
 }  // namespace
 
-std::string markdown(const Experiment& experiment, std::span<const ResultRow> rows) {
+std::string markdown(const Experiment& experiment, std::span<const ResultRow> rows, std::span<const GroupRow> groups) {
   std::string text =
       "| model | predicted | observed runout, m | predicted, m | 90 % of its mean | 90 % of its spread | in 50 % | in "
       "90 "
@@ -132,6 +169,15 @@ std::string markdown(const Experiment& experiment, std::span<const ResultRow> ro
         fmt::format("| {} | {} | {:.1f}, {:.1f}, {:.1f} | {:.1f}, {:.1f}, {:.1f} | {:.1f}, {:.1f} | {:.1f}, {:.1f} |\n",
                     row.model, row.predicted, row.crps, row.crps_prior, row.crps_constant, row.place, row.place_prior,
                     row.place_constant, row.rmse, row.rmse_constant, row.mae, row.mae_constant);
+  }
+  if (!groups.empty()) {
+    text +=
+        "\n| group | model | runs | observed mean runout, m | predicted, m | error of a run, m: root mean square, "
+        "constant |\n| --- | --- | --- | --- | --- | --- |\n";
+    for (const GroupRow& row : groups) {
+      text += fmt::format("| {} | {} | {} | {:.1f} | {:.1f} | {:.1f}, {:.1f} |\n", row.group, row.model, row.runs,
+                          row.observed_mean, row.mean, row.rmse, row.rmse_constant);
+    }
   }
   if (!rows.empty()) text += "\n" + findings(rows);
   if (experiment.published.empty()) return text;
@@ -157,6 +203,11 @@ void write_results(const std::filesystem::path& folder, const Experiment& experi
     }
   }
   put(folder / ResultRow::file_name, results);
+  if (const std::vector<GroupRow> rows = group_rows_of(models); !rows.empty()) {
+    std::string groups = header_of<GroupRow>();
+    for (const GroupRow& row : rows) append_row(groups, row);
+    put(folder / GroupRow::file_name, groups);
+  }
   put(folder / RunRow::file_name, runs);
   put(folder / "report.html", page_of(experiment, models));
 }

@@ -90,15 +90,39 @@ struct RunRow {
   }
 };
 
+/// A row of groups.csv: the runs of a group, such as those of one boulder, of all sites together.
+struct GroupRow {
+  static constexpr const char* file_name = "groups.csv";
+
+  std::string model{}, group{};
+  std::uint64_t runs = 0;
+  double observed_mean = 0, mean = 0, rmse = 0, rmse_constant = 0;
+
+  static constexpr auto columns() {
+    using R = GroupRow;
+    return std::tuple(word("model", "name of the model", &R::model),
+                      word("group", "the group, as the stops name it", &R::group),
+                      key("runs", "number of its runs", &R::runs),
+                      quantity("observed_mean_m", "m", "mean observed runout", &R::observed_mean),
+                      quantity("mean_m", "m", "mean predicted runout", &R::mean),
+                      quantity("rmse_m", "m", "root mean square error of each run's mean predicted runout", &R::rmse),
+                      quantity("rmse_constant_m", "m", "of the mean runout of the other sites, whatever the group",
+                               &R::rmse_constant));
+  }
+};
+
 [[nodiscard]] std::vector<ResultRow> rows_of(std::span<const ModelResult> models);
+/// Group by group in alphabetical order, and in each model by model; none if runs have no groups.
+[[nodiscard]] std::vector<GroupRow> group_rows_of(std::span<const ModelResult> models);
 
 /// The results of all rows and the published ones as Markdown tables, for docs/validation.md.
-[[nodiscard]] std::string markdown(const Experiment& experiment, std::span<const ResultRow> rows);
+[[nodiscard]] std::string markdown(const Experiment& experiment, std::span<const ResultRow> rows,
+                                   std::span<const GroupRow> groups);
 
 /// The page as text: one file that opens without a network.
 [[nodiscard]] std::string page_of(const Experiment& experiment, std::span<const ModelResult> models);
 
-/// Writes results.csv, runs.csv and report.html, each complete under its name.
+/// Writes results.csv, runs.csv, report.html and, if runs have groups, groups.csv, each complete under its name.
 void write_results(const std::filesystem::path& folder, const Experiment& experiment,
                    std::span<const ModelResult> models);
 
