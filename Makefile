@@ -112,7 +112,7 @@ fuzz: setup
 # sites.
 soak: setup-test
 	@cmake --preset release -DTALUS_TESTS=ON -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release
-	@TALUS_TEST_EFFORT=50 build/talus_kernel_tests --gtest_filter='*RandomRocks*'
+	@TALUS_TEST_EFFORT=50 build/talus_kernel_tests --gtest_filter='*RandomRocks*:RandomBlocks*'
 	@TALUS_TEST_EFFORT=50 build/talus_tests --gtest_filter='*RandomProjects*:*CalibrationCoverage*:Kinds*'
 
 clean:
