@@ -109,7 +109,7 @@ void expect_same(const Runout& a, const Runout& b, const std::string& what) {
                                       << b.error;
 }
 
-// TALUS_TEST_EFFORT multiplies the number of rocks: with 20, a campaign of ten minutes.
+// TALUS_TEST_EFFORT multiplies the number of rocks.
 int rocks_of(int least) {
   const char* wish = std::getenv("TALUS_TEST_EFFORT");
   return wish == nullptr ? least : std::max(1, std::atoi(wish)) * least;
@@ -194,8 +194,8 @@ std::vector<Vec2> bumpy_section() {
 }
 
 // Prisms are released as their sections are, and both corners of an edge strike at once. Impulses that have not
-// settled, and rolling friction, which carries any difference between the sides, still turn squares and slabs out of
-// the plane: their mean is the same all the same.
+// settled, and rolling friction, which carries any difference between the sides, still turn most squares and slabs out
+// of the plane. Means of 200 rocks do not show it. Those of 1200 do: slabs then go 1.2 +- 0.4 % farther as prisms.
 TEST(RunoutsOfBlocks, OfSectionsAreThoseOfPrisms) {
   const std::vector<Vec2> section = bumpy_section();
   const Profile line(section);
