@@ -295,6 +295,28 @@ TEST(ReportInBrowser, HasScaleBarsOfRoundLength) {
             "0.5 1 10 20 200 5000");
 }
 
+TEST(ReportInBrowser, ShowsTheFormsOfBlocks) {
+  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
+  const sample_run::Folder folder("report-blocks");
+  sample_run::write_3d(folder);
+  folder.write("summary.json", on_terrain(100).dump());
+  const auto without_end = [](std::string text) {
+    text.pop_back();
+    return text;
+  };
+  folder.write("endpoints.csv", without_end(sample_run::endpoints_head) + ",a_m,b_m,c_m,short_axis_share\n" +
+                                    without_end(sample_run::endpoint_row(0)) + ",2,1,0.9,0.5\n" +
+                                    without_end(sample_run::endpoint_row(1)) + ",2,1.9,1,0.9\n");
+  write_report(std::vector{folder.path}, folder.path / "report.html");
+  EXPECT_EQ(said_in_page(folder.path / "report.html", R"(
+    const part = document.querySelector('#shapes');
+    const rows = [...part.querySelectorAll('tbody tr')].map((row) => [...row.children].map((cell) => cell.textContent));
+    return part.querySelectorAll('circle.dot').length + ' dots; ' +
+      rows.map((row) => [0, 1, 2, 3, 8].map((k) => row[k]).join(' ')).join('; ');
+  )"),
+            "8 dots; flat 1 0.95 0.526 90; long 1 0.5 0.9 50");
+}
+
 TEST(ReportInBrowser, DrawsMaps) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
