@@ -10,7 +10,7 @@ name = "Tutorial 1"
 
 [analysis]
 laws = "talus"          # or "rocfall": those of RocFall2 and RocFall3
-model = "lumped_mass"   # or "rigid_sphere"
+model = "lumped_mass"   # or "rigid_sphere", or "rigid_body": blocks with a shape (docs/shapes.md)
 sliding = "stepped"     # or "closed_form"
 
 [sampling]
