@@ -219,8 +219,7 @@ TEST(RunFolderRefuses, TablesWithOtherColumns) {
   EXPECT_EQ(
       message_about("endpoints.csv", "rock,x,y\n"),
       "DIR/endpoints.csv:1: the columns are \"rock,x,y\" (expected \"rock,seeder,x_m,y_m,z_m,runout_xy_m,runout_z_m,"
-      "runout_total_m,lateral_m,time_s,events,end_reason,ground,mass_kg,radius_m,max_ke_J,max_bounce_m,ensemble,a_m,b_m,"
-      "c_m,short_axis_share\")");
+      "runout_total_m,lateral_m,time_s,events,end_reason,ground,mass_kg,radius_m,max_ke_J,max_bounce_m,ensemble\")");
   EXPECT_EQ(message_about("paths.csv", ""),
             std::string("DIR/paths.csv:1: the file is empty (its first line must name the columns)") + damaged);
 }

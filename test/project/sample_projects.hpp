@@ -367,6 +367,9 @@ section = [[0, 20], [10, 5], [30, 0]]
 width_m = 20
 [[material]]
 name = "Rock"
+max_friction = 1.3
+friction_rise_per_m = 0.7
+friction_decay_per_s = 20
 [[shape]]
 name = "Slabs"
 b_over_a = { mean = 0.8, distribution = "normal", std_dev = 0.1, rel_min = 0.2, rel_max = 0.2 }

@@ -6,8 +6,8 @@
 
 #include "results/end_points.hpp"
 #include "talus/campaign/simulate.hpp"
+#include "talus/results/poses.hpp"
 #include "talus/store/trajectory_store.hpp"
-#include "talus/trajectory/poses.hpp"
 
 namespace talus::server {
 

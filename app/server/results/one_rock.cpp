@@ -68,9 +68,11 @@ Json one_rock(const fs::path& folder, std::uint64_t rock, const RunFacts& facts,
   Json hits = Json::array(), path = Json::array();
   for (const HitRow& row : rows_of_rock<HitRow>(folder, rock)) hits.push_back(by_column(row));
   for (const PathEventRow& row : rows.path.rows) path.push_back(texts_of(row));
+  std::vector<std::string_view> columns(column_names<PathEventRow>.begin(), column_names<PathEventRow>.end());
+  if (!path.empty()) columns.resize(path.front().size());  // spheres have no orientation
   return {{"rock", rock},
           {"endpoint", by_column(rows.endpoint.front())},
-          {"columns", path_columns},
+          {"columns", std::move(columns)},
           {"rows", std::move(path)},
           {"in_table", is_in_table},
           {"hits", std::move(hits)},

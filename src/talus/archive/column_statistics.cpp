@@ -141,7 +141,7 @@ Tally endpoint_statistics(const std::filesystem::path& folder, const RunFacts& f
   const std::size_t at = place_of_column<EndpointRow>(column);
   Tally tally(facts.planned_rocks(), origin_of(facts, column));
   for_rocks(folder, facts, filter, [&](const TableReader<EndpointRow>& row) {
-    if (!row.csv().text(at).empty()) tally.add(row.csv().number(at));  // lateral_m may be empty
+    if (row.csv().has_value(at)) tally.add(row.csv().number(at));
   });
   return tally;
 }

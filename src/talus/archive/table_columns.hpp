@@ -1,6 +1,7 @@
 #pragma once
 // The rows and columns of endpoints.csv, paths.csv, impacts.csv and barriers.csv, for writers and readers.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -42,7 +43,7 @@ inline constexpr std::string_view ensemble_meaning =
 /// A row of endpoints.csv: how a rock ended. Positions are in the project's coordinates.
 struct EndpointRow {
   static constexpr const char* file_name = "endpoints.csv";
-  static constexpr std::size_t columns_of_blocks = 4;  // the last ones; only runs with blocks have them
+  static constexpr std::size_t may_lack = 4;  // the last columns: only runs with blocks have them
 
   std::uint64_t rock = 0;
   std::string seeder{};
@@ -101,7 +102,7 @@ struct EndpointRow {
 /// A row of paths.csv: a moment of a rock's trajectory.
 struct PathEventRow {
   static constexpr const char* file_name = "paths.csv";
-  static constexpr std::size_t columns_of_blocks = 4;  // as in EndpointRow
+  static constexpr std::size_t may_lack = 4;  // as in EndpointRow
 
   std::uint64_t rock = 0, event = 0;
   PathState state = PathState::projectile;
@@ -232,19 +233,22 @@ struct HitRow {
 /// How many columns of a row the tables of a run have.
 template <class Row>
 [[nodiscard]] constexpr std::size_t columns_in_run(bool has_blocks) {
-  if constexpr (requires { Row::columns_of_blocks; }) {
-    return has_blocks ? column_count<Row> : column_count<Row> - Row::columns_of_blocks;
-  } else {
-    return column_count<Row>;
-  }
+  return column_count<Row> - (has_blocks ? 0 : may_lack<Row>);
 }
 
 /// The rows of the tables to which rocks add while they are simulated, in the order of the files: a new table's row is
 /// added here, and result_tables.cpp says which rows a rock has there.
 using ResultRows = std::tuple<EndpointRow, HitRow, PathEventRow, ImpactRow>;
 
-inline constexpr const auto& endpoint_columns = column_names<EndpointRow>;
-inline constexpr const auto& path_columns = column_names<PathEventRow>;
+/// The columns of a run without blocks.
+template <class Row>
+inline constexpr auto plain_columns = [] {
+  std::array<std::string_view, columns_in_run<Row>(false)> names;
+  std::copy_n(column_names<Row>.begin(), names.size(), names.begin());
+  return names;
+}();
+inline constexpr const auto& endpoint_columns = plain_columns<EndpointRow>;
+inline constexpr const auto& path_columns = plain_columns<PathEventRow>;
 inline constexpr const auto& barrier_columns = column_names<HitRow>;
 
 }  // namespace talus

@@ -32,6 +32,8 @@ class CsvReader {
 
   // The values of the current row, by column. Views are valid until the next call of next().
   [[nodiscard]] std::string_view text(std::size_t column) const { return fields_[column]; }
+  /// False too for the last columns if the table lacks them.
+  [[nodiscard]] bool has_value(std::size_t column) const { return column < fields_.size() && !fields_[column].empty(); }
   [[nodiscard]] double number(std::size_t column) const;              // finite
   [[nodiscard]] std::int64_t whole_number(std::size_t column) const;  // not negative
 

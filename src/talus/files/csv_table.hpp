@@ -6,6 +6,7 @@
 // From that follow the header, what writes a row, what reads it, the columns of numbers for statistics, the tables of
 // columns in the documentation and the list of columns for the page.
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -82,10 +83,6 @@ template <class>
 inline constexpr bool is_optional = false;
 template <class Value>
 inline constexpr bool is_optional<std::optional<Value>> = true;
-template <class>
-inline constexpr bool is_optional_column = false;
-template <class Row, class Value>
-inline constexpr bool is_optional_column<Column<Row, Value>> = is_optional<Value>;
 
 template <class Row>
 concept TableRow = requires {
@@ -129,13 +126,14 @@ inline constexpr std::array<std::string_view, column_count<Row>> column_names = 
   return names;
 }();
 
-/// How many of the last columns are optional, so that tables of older programs may lack them.
+/// How many of the last columns a table may lack: `Row::may_lack`, which are optional.
 template <TableRow Row>
-inline constexpr std::size_t last_optionals = [] {
-  std::size_t count = 0;
-  for_columns<Row>(
-      [&](const auto& column) { count = is_optional_column<std::remove_cvref_t<decltype(column)>> ? count + 1 : 0; });
-  return family_place<Row> ? 0 : count;
+inline constexpr std::size_t may_lack = [] {
+  if constexpr (requires { Row::may_lack; }) {
+    return Row::may_lack;
+  } else {
+    return std::size_t{0};
+  }
 }();
 
 /// The place of a member's column in column_names, of a vector's first one.
@@ -221,7 +219,7 @@ void append_row(std::string& text, const Row& row, CsvMemory* memory = nullptr, 
   out.end();
 }
 
-/// The values of a row as texts, column by column.
+/// The values of a row as texts, column by column; without the last columns that a table may lack if they are empty.
 template <TableRow Row>
 [[nodiscard]] std::vector<std::string> texts_of(const Row& row) {
   static_assert(!family_place<Row>);
@@ -237,6 +235,9 @@ template <TableRow Row>
       texts.back().pop_back();  // the row's end
     }
   });
+  const auto last = texts.end() - static_cast<std::ptrdiff_t>(may_lack<Row>);
+  if (std::all_of(last, texts.end(), [](const std::string& text) { return text.empty(); }))
+    texts.erase(last, texts.end());
   return texts;
 }
 
@@ -244,10 +245,10 @@ template <TableRow Row>
 template <TableRow Row>
 class TableReader {
  public:
-  /// Expects the columns of the row, and any number of others where it has a family. Optional ones at the end may be
-  /// missing: they are empty.
+  /// Expects the columns of the row, and any number of others where it has a family. Those that it may lack are empty
+  /// then.
   explicit TableReader(const std::filesystem::path& file)
-      : csv_(file, column_names<Row>, family_place<Row>, last_optionals<Row>),
+      : csv_(file, column_names<Row>, family_place<Row>, may_lack<Row>),
         family_size_(family_place<Row> ? csv_.columns().size() - column_count<Row> : 0) {}
 
   [[nodiscard]] bool next() { return csv_.next(); }
@@ -304,8 +305,7 @@ class TableReader {
     } else if constexpr (std::same_as<Value, double>) {
       return csv_.number(place);
     } else if constexpr (is_optional<Value>) {
-      const bool has_value = place < csv_.columns().size() && !csv_.text(place).empty();
-      return has_value ? Value(cell<typename Value::value_type>(place)) : Value();
+      return csv_.has_value(place) ? Value(cell<typename Value::value_type>(place)) : Value();
     } else if constexpr (std::is_enum_v<Value>) {
       return word_in<Value>(place);
     } else {

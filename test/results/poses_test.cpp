@@ -1,6 +1,6 @@
 // The poses of a block for pictures: how far what they show is from its path.
 
-#include "talus/trajectory/poses.hpp"
+#include "talus/results/poses.hpp"
 
 #include <gtest/gtest.h>
 

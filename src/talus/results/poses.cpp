@@ -1,4 +1,4 @@
-#include "talus/trajectory/poses.hpp"
+#include "talus/results/poses.hpp"
 
 #include <algorithm>
 #include <cmath>
