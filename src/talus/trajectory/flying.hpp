@@ -42,10 +42,10 @@ template <class Surface, class InAir>
   if (end.contact) {
     // A sphere may still touch the rim after its centre has left the model.
     if (rock.reach == 0 || rock.surface.has_ground_below(path.at(end.t), facet_of(*end.contact))) return end;
-    const Exit before = rock.surface.exit(path);
+    const Exit before = rock.exit_of(path);
     return before.t < end.t && !before.beneath ? End{before.t, {}, before} : end;
   }
-  const Exit edge = rock.surface.exit(path);
+  const Exit edge = rock.exit_of(path);
   return edge.t < t_max ? End{edge.t, {}, edge} : end;
 }
 

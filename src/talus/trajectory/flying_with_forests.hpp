@@ -71,7 +71,7 @@ template <class Surface, class Sink, class InAir>
 
   auto end = first_contact(rock, phase, path, drag, length);
   if (!end.contact && !rock.surface.ground_below(path.at(length))) {
-    const Exit exit = rock.surface.exit(path);
+    const Exit exit = rock.exit_of(path);
     if (exit.t <= length) end = {exit.t, {}, exit};
   }
   return fly_along(rock, phase, path, drag, end);

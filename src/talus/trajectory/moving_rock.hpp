@@ -170,6 +170,12 @@ class MovingRock : public RockState {
     const Vec3 slip = slip_velocity(motion.velocity, motion.spin, normal, rock.radius);
     return slip.norm() < tolerance::shown_as_rolling ? PathState::rolling : PathState::sliding;
   }
+  /// How a flight without contact leaves the model. The centre of a block that tips over a rim may come under the
+  /// ground there: it has fallen through only if all of it is beneath.
+  [[nodiscard]] Exit exit_of(Parabola path) const {
+    if (body) path.p += body->reach * unit_z;
+    return surface.exit(path);
+  }
   /// How a rock in free flight from a place leaves the model, if it does so at once.
   [[nodiscard]] std::optional<Exit> exit_from(const Vec3& position, const Vec3& velocity) const {
     const Exit exit = surface.exit({position, velocity, laws.gravity});
