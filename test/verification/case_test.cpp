@@ -23,7 +23,7 @@ Files repository_cases() { return cases_in(talus::places::in_source("/verificati
 
 constexpr std::string_view good_case = R"(
 title = "A case"
-manual = "section 1"
+source = "section 1"
 about = "Of something."
 [[run]]
 name = "plain"
@@ -31,7 +31,7 @@ project = "a.toml"
 [[table]]
 kind = "path"
 title = "Table"
-manual = "section 1"
+source = "section 1"
 why = "Because."
 runs = ["plain"]
 published = "t.csv"
@@ -107,16 +107,29 @@ TEST(Case, RequiresAReasonAndATitle) {
   EXPECT_THAT(message(replaced("title = \"A case\"", "")), HasSubstr("title is missing"));
 }
 
+TEST(Case, MayCompareAtTheTimesOfAColumn) {
+  const auto with_times = [](std::string_view column) {
+    return replaced("tolerance = { units = 1 }", fmt::format("tolerance = {{ units = 1 }}\ntimes = \"{}\"", column));
+  };
+  const Case c = read_case(files_with(with_times("x_m")), "a");
+  EXPECT_EQ(std::get<PathTable>(c.tables[0].kind).times, 0u);
+  EXPECT_TRUE(std::get<PathTable>(c.tables[0].kind).events.empty());
+  EXPECT_THAT(message(with_times("t_s")), HasSubstr("a/t.csv has no column t_s"));
+  Files files = files_with(with_times("x_m"));
+  files["a/t.csv"] = "id,x_m,y_m\n0,1.5,2\n1,-,3\n";
+  EXPECT_THROW(static_cast<void>(read_case(files, "a")), BadInput);
+}
+
 TEST(Case, StatisticsNeedManyRocks) {
   Files files = files_with(R"(
 title = "A case"
-manual = "section 1"
+source = "section 1"
 about = "Of something."
 run = [{ name = "few", project = "a.toml", rocks = 5000 }]
 [[table]]
 kind = "statistics"
 title = "Table"
-manual = "section 1"
+source = "section 1"
 why = "Because."
 runs = ["few"]
 published = "s.csv"
@@ -164,9 +177,9 @@ TEST(CasesIn, RefusesAFolderWithoutCases) {
   EXPECT_THROW(static_cast<void>(cases_in(folder + "/nowhere")), BadInput);
 }
 
-TEST(RepositoryCases, AreSevenAndBuiltIn) {
+TEST(RepositoryCases, AreEightAndBuiltIn) {
   const Files files = repository_cases();
-  EXPECT_EQ(case_names(files).size(), 7u);
+  EXPECT_EQ(case_names(files).size(), 8u);
   EXPECT_EQ(embedded_cases(), files);
 }
 
@@ -198,7 +211,8 @@ TEST(RepositoryCases, CompareEveryColumnOfEveryPath) {
         const bool is_word = column == "state" || column == "type";
         // B-2 and B-3 also print the time since the previous row, which follows from their times.
         const bool is_given_twice = column == "dt_s" && table.title.starts_with("Table B-");
-        EXPECT_TRUE(is_compared || is_word || is_given_twice) << table.title << ", column " << column;
+        EXPECT_TRUE(is_compared || is_word || is_given_twice || path->times == c)
+            << table.title << ", column " << column;
       }
     }
   }

@@ -16,18 +16,17 @@ struct Attitude {
   Vec3 spin;  // in the frame of the terrain [rad/s]
 };
 
-/// How it is turned `after` an attitude [s]. `inertia`: principal moments [kg m2].
-[[nodiscard]] inline Orientation turned_on(const Attitude& from, const Vec3& inertia, double after) {
-  if (after <= 0) return from.orientation;
-  return FreeRotation(inertia, from.orientation, from.spin).at(after).orientation;
-}
-
-/// How it is turned at a time [s]; before the first of the attitudes as there. They are in the order of time, at least
-/// one.
-[[nodiscard]] inline Orientation orientation_at(std::span<const Attitude> attitudes, const Vec3& inertia, double time) {
+/// How it is turned at a time [s], and its spin; before the first of the attitudes as there. They are in the order of
+/// time, at least one. `inertia`: principal moments [kg m2].
+[[nodiscard]] inline FreeRotation::State turned_at(std::span<const Attitude> attitudes, const Vec3& inertia,
+                                                   double time) {
   const auto next = std::ranges::upper_bound(attitudes, time, {}, &Attitude::time);
   const Attitude& from = next == attitudes.begin() ? *next : *std::prev(next);
-  return turned_on(from, inertia, time - from.time);
+  if (time <= from.time) return {from.orientation, from.spin};
+  return FreeRotation(inertia, from.orientation, from.spin).at(time - from.time);
+}
+[[nodiscard]] inline Orientation orientation_at(std::span<const Attitude> attitudes, const Vec3& inertia, double time) {
+  return turned_at(attitudes, inertia, time).orientation;
 }
 
 /// The angle between two orientations [rad].

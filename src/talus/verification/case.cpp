@@ -67,7 +67,7 @@ class CaseReader {
     result.name = name_;
     Fields fields(document_, document_.root(), "", problems_);
     result.title = fields.text("title");
-    result.manual = fields.text("manual");
+    result.source = fields.text("source");
     result.about = fields.text("about");
     result.notes = fields.texts("notes", false);
     fields.tables("run", true, [&](const toml::table& from) { result.runs.push_back(read_run(from)); });
@@ -130,7 +130,7 @@ class CaseReader {
 
   std::optional<Table> read_table(const toml::table& from) {
     Fields fields(document_, from, "table", problems_);
-    Table table{fields.text("title"), fields.text("manual"), {}, fields.text("why"), ValuesTable{}};
+    Table table{fields.text("title"), fields.text("source"), {}, fields.text("why"), ValuesTable{}};
     const std::string kind = fields.text("kind");
     constexpr std::array<std::string_view, 6> kinds{"path", "statistics", "values", "count", "agreement", "soundness"};
     if (std::ranges::find(kinds, kind) == kinds.end()) {
@@ -182,7 +182,7 @@ class CaseReader {
   }
 
   PathTable read_path(Fields& fields, PublishedTable published) {
-    PathTable table{std::move(published), {}, {}, tolerance_in(fields).value_or(Tolerance{}), {}};
+    PathTable table{std::move(published), {}, {}, {}, tolerance_in(fields).value_or(Tolerance{}), {}};
     const toml::node* node = fields.need("columns");
     if (const toml::table* columns = node ? node->as_table() : nullptr) {
       for (const auto& [key, value] : *columns) check_column(fields, table.published, key.str(), value);
@@ -198,10 +198,26 @@ class CaseReader {
       fields.report(*node, fmt::format("columns is {}", project::quoted(*node)),
                     "expected a table of the published table's columns and what they are");
     }
-    read_events(fields, table);
+    if (fields.from().contains("times")) {
+      read_times(fields, table);
+    } else {
+      read_events(fields, table);
+    }
     fields.tables("exception", false,
                   [&](const toml::table& from) { table.exceptions.push_back(read_exception(from, table.published)); });
     return table;
+  }
+
+  void read_times(Fields& fields, PathTable& table) {
+    const std::string column = fields.text("times");
+    const toml::node& node = *fields.from().get("times");
+    check_column(fields, table.published, column, node);
+    table.times = table.published.column(column);
+    for (std::size_t row = 0; table.times && row < table.published.rows().size(); ++row) {
+      if (table.published.number(row, *table.times)) continue;
+      fields.report(node, fmt::format("{} has no time in row {}", table.published.file(), table.published.rows()[row]),
+                    fmt::format("each row needs a number of seconds in the column {}", column));
+    }
   }
 
   void read_events(Fields& fields, PathTable& table) {

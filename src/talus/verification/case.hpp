@@ -39,8 +39,10 @@ struct Exception {
 struct PathTable {
   PublishedTable published;
   std::vector<std::pair<std::string, PathQuantity>> columns;  // of the table, with their quantities
-  /// For each row of the table, the zero-based number of the row in a replay.
+  /// For each row of the table, the zero-based number of the row in a replay; empty with `times`.
   std::vector<std::size_t> events;
+  /// Or the column that says when: each row is compared with the motion at that time.
+  std::optional<std::size_t> times;
   Tolerance tolerance;
   std::vector<Exception> exceptions;
 };
@@ -94,7 +96,7 @@ using TableKind = std::variant<PathTable, StatisticsTable, ValuesTable, CountTab
 
 struct Table {
   std::string title;
-  std::string manual;             // its place in the manual
+  std::string source;             // its place there
   std::vector<std::string> runs;  // names; the table is compared with each run, an agreement compares the runs
   std::string why;                // the reason for the tolerance
   TableKind kind;
@@ -103,7 +105,7 @@ struct Table {
 struct Case {
   std::string name;  // of the folder
   std::string title;
-  std::string manual;
+  std::string source;  // of the published numbers
   std::string about;
   std::vector<std::string> notes;
   std::vector<Run> runs;

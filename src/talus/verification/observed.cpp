@@ -1,9 +1,11 @@
 #include "talus/verification/observed.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/simulate.hpp"
+#include "talus/core/degrees.hpp"
 #include "talus/results/summary.hpp"
 #include "talus/rocks/energy.hpp"
 
@@ -35,13 +37,17 @@ constexpr std::array path_quantities{
     PathQuantityName{kinetic_kJ, "kinetic_kJ", Kind::energy},
     PathQuantityName{potential_kJ, "potential_kJ", Kind::energy},
     PathQuantityName{total_kJ, "total_kJ", Kind::energy},
+    PathQuantityName{spin_a, "spin_a", Kind::spin},
+    PathQuantityName{spin_b, "spin_b", Kind::spin},
+    PathQuantityName{spin_c, "spin_c", Kind::spin},
+    PathQuantityName{turned_deg, "turned_deg", Kind::angle},
 };
 
 constexpr std::array<std::string_view, sample_quantity_count> sample_names{
     "runout_xy_m", "end_x_m", "barrier_ke_translational_kJ", "barrier_height_m"};
 
 Event event_of(const Model& model, const Rock& rock, const Motion& motion) {
-  Event event{motion, 0, 0};
+  Event event{motion, 0, 0, {}};
   event.motion.position = model.frame.global_from_local(motion.position);
   event.kinetic = kinetic_energy(rock, motion);
   event.potential = rock.mass * model.laws.gravity.norm() * (event.motion.position.z() - model.energy_datum);
@@ -135,6 +141,7 @@ std::vector<std::string_view> sample_quantity_names() { return {sample_names.beg
 
 std::optional<double> value(PathQuantity quantity, const Event& event, const Event* next) {
   const Motion& motion = event.motion;
+  const auto& turning = event.turning;
   switch (quantity) {
     case time:
       return motion.time;
@@ -172,6 +179,14 @@ std::optional<double> value(PathQuantity quantity, const Event& event, const Eve
       return event.potential / 1000;
     case total_kJ:
       return (event.kinetic + event.potential) / 1000;
+    case spin_a:
+      return turning ? std::optional(turning->spin.x()) : std::nullopt;
+    case spin_b:
+      return turning ? std::optional(turning->spin.y()) : std::nullopt;
+    case spin_c:
+      return turning ? std::optional(turning->spin.z()) : std::nullopt;
+    case turned_deg:
+      return turning ? std::optional(turning->angle / radians) : std::nullopt;
   }
   return std::nullopt;
 }
@@ -187,6 +202,31 @@ std::vector<Event> path_of(const Model& model, std::uint64_t rock) {
       events.push_back(event_of(model, record.body, *turn));
     }
     events.push_back(event_of(model, record.body, row.motion));
+  }
+  return events;
+}
+
+std::vector<Event> path_at(const Model& model, std::uint64_t rock, std::span<const double> times) {
+  Simulator simulator(model);
+  const RockRecord record = simulator.simulate(rock, true, true);
+  const std::optional<RockBlock> block = block_of(model, rock);
+  const std::vector<Attitude>& attitudes = simulator.log().attitudes;
+  std::vector<PathPiece> pieces;
+  simulator.log().for_each_piece([&](const PathPiece& piece) { pieces.push_back(piece); });
+  std::vector<Event> events;
+  for (const double time : times) {
+    const auto next = std::ranges::upper_bound(pieces, time, {}, &PathPiece::start_time);
+    const PathPiece& piece = next == pieces.begin() ? *next : *std::prev(next);
+    const double s = std::clamp(piece.drag.parameter(time - piece.start_time), 0.0, piece.duration);
+    Motion motion{piece.path.at(s), piece.velocity(s), piece.spin_at(s), time};
+    std::optional<Event::Turning> turning;
+    if (block) {
+      const auto [orientation, spin] = turned_at(attitudes, block->inertia, time);
+      turning = {orientation.to_body(spin), angle_between(attitudes.front().orientation, orientation)};
+      motion.spin = spin;
+    }
+    events.push_back(event_of(model, record.body, motion));
+    events.back().turning = turning;
   }
   return events;
 }

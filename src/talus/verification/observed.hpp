@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,14 +33,20 @@ enum class PathQuantity {
   total_J,
   kinetic_kJ,
   potential_kJ,
-  total_kJ
+  total_kJ,
+  // Of a block, at given times.
+  spin_a,
+  spin_b,
+  spin_c,     // its own spin about its principal axes, from the longest to the shortest [rad/s]
+  turned_deg  // the angle from its orientation at release, 0 to 180 degrees
 };
 [[nodiscard]] std::string_view name(PathQuantity quantity);
 [[nodiscard]] std::optional<PathQuantity> path_quantity_of(std::string_view name);
 [[nodiscard]] std::vector<std::string_view> path_quantity_names();
 
-/// Quantities of one kind share a scale: positions, velocities, spins, times, energies.
-enum class Kind { time, position, velocity, spin, energy };
+/// Quantities of one kind share a scale: positions, velocities, spins, times, energies, angles.
+enum class Kind { time, position, velocity, spin, energy, angle };
+inline constexpr int kind_count = 6;
 [[nodiscard]] Kind kind_of(PathQuantity quantity);
 
 enum class SampleQuantity {
@@ -57,6 +64,12 @@ inline constexpr int sample_quantity_count = 4;
 struct Event {
   Motion motion;
   double kinetic = 0, potential = 0;  // [J]
+  /// Of a block, at a given time.
+  struct Turning {
+    Vec3 spin;         // its own, about its principal axes [rad/s]
+    double angle = 0;  // from its orientation at release [rad]
+  };
+  std::optional<Turning> turning;
 };
 
 /// `next` is the following row; null if there is none.
@@ -64,6 +77,10 @@ struct Event {
 
 /// The path of one rock as in `talus replay`: all rows, and the points between them where it turns back.
 [[nodiscard]] std::vector<Event> path_of(const Model& model, std::uint64_t rock);
+
+/// Its motion at times since its release, up to its end [s]. A block's spin there is its own, not that of its sphere.
+/// Energies are those of a sphere or a point.
+[[nodiscard]] std::vector<Event> path_at(const Model& model, std::uint64_t rock, std::span<const double> times);
 
 /// The results of a campaign that are compared.
 struct Observed {

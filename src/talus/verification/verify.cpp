@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "talus/core/overloaded.hpp"
 #include "talus/model/model.hpp"
@@ -22,6 +24,9 @@ class Runs {
     Ran& ran = of(run);
     if (!ran.path) ran.path = path_of(ran.model, 0);
     return *ran.path;
+  }
+  std::vector<Event> at_times(const std::string& run, std::span<const double> times) {
+    return path_at(of(run).model, 0, times);
   }
   const Observed& observed(const std::string& run, Energies energies = Energies::skip) {
     Ran& ran = of(run);
@@ -60,8 +65,8 @@ std::string between(const Interval& interval) { return fmt::format("{:.6g} ... {
 Verdict verdict(bool agrees) { return agrees ? Verdict::agrees : Verdict::differs; }
 
 /// The largest published number of each kind.
-std::array<double, 5> scales(const PathTable& table) {
-  std::array<double, 5> scale{};
+std::array<double, kind_count> scales(const PathTable& table) {
+  std::array<double, kind_count> scale{};
   for (const auto& [column, quantity] : table.columns) {
     const std::size_t c = *table.published.column(column);
     for (std::size_t r = 0; r < table.published.rows().size(); ++r) {
@@ -79,12 +84,27 @@ const Exception* exception_of(const PathTable& table, const std::string& row, co
   return found == table.exceptions.end() ? nullptr : &*found;
 }
 
+/// What is compared with each row of the table; nullopt if the path has no such row.
+std::vector<std::optional<Event>> events_of(const PathTable& table, const std::string& run, Runs& runs) {
+  std::vector<std::optional<Event>> events;
+  if (table.times) {
+    std::vector<double> times;
+    for (std::size_t row = 0; row < table.published.rows().size(); ++row)
+      times.push_back(table.published.number(row, *table.times)->value);
+    const std::vector<Event> path = runs.at_times(run, times);
+    events.assign(path.begin(), path.end());
+  } else {
+    const std::vector<Event>& path = runs.path(run);
+    for (const std::size_t row : table.events)
+      events.push_back(row < path.size() ? std::optional(path[row]) : std::nullopt);
+  }
+  return events;
+}
+
 std::vector<Line> compare(const PathTable& table, const std::string& run, Runs& runs) {
-  const std::vector<Event>& path = runs.path(run);
+  const std::vector<std::optional<Event>> events = events_of(table, run, runs);
   const auto scale = scales(table);
-  const auto event = [&](std::size_t row) {
-    return row < table.events.size() && table.events[row] < path.size() ? &path[table.events[row]] : nullptr;
-  };
+  const auto event = [&](std::size_t row) { return row < events.size() && events[row] ? &*events[row] : nullptr; };
   std::vector<Line> lines;
   for (std::size_t r = 0; r < table.published.rows().size(); ++r) {
     const std::string& row = table.published.rows()[r];
@@ -295,7 +315,7 @@ CaseResult verify(const Case& published, const Files& files) {
   Runs runs(published, files);
   for (const Table& table : published.tables) {
     const auto add = [&](const std::string& run, std::vector<Line> lines) {
-      result.tables.push_back({table.title, table.manual, run, table.why, std::move(lines)});
+      result.tables.push_back({table.title, table.source, run, table.why, std::move(lines)});
     };
     const auto with_each_run = [&](const auto& kind) {
       for (const std::string& run : table.runs) add(run, compare(kind, run, runs));

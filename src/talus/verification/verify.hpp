@@ -30,7 +30,7 @@ struct Line {
 
 /// The comparison of one table with one run.
 struct TableResult {
-  std::string title, manual, run, why;
+  std::string title, source, run, why;
   std::vector<Line> lines;
   [[nodiscard]] std::size_t count(Verdict verdict) const;
 };
