@@ -245,7 +245,7 @@ export interface VerificationCase {
   compared: number;
   tables: {
     title: string;
-    manual: string;
+    source: string;
     run: string;
     why: string;
     agree: number;

@@ -15,8 +15,8 @@ export function VerificationPage({ close }: { close: () => void }) {
         <div>
           <h1>Verification</h1>
           <p class="faint">
-            The cases of Rocscience's RocFall3 verification manual, computed now by this program and compared with the
-            printed numbers.
+            The cases of Rocscience's RocFall3 verification manual, and blocks whose motion is known, computed now by
+            this program and compared with the printed numbers.
           </p>
         </div>
         <button class="button" onClick={close}>
@@ -60,7 +60,7 @@ function Table({ table }: { table: VerificationCase['tables'][number] }) {
   return (
     <details class="table" onToggle={(event) => setOpen(event.currentTarget.open)}>
       <summary>
-        {[table.title, table.manual, table.run].filter(Boolean).join(', ')}{' '}
+        {[table.title, table.source, table.run].filter(Boolean).join(', ')}{' '}
         <span class={table.differ === 0 ? 'good' : 'bad'}>{verdict}</span>
       </summary>
       <p class="faint">{table.why}</p>
