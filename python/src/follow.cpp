@@ -7,6 +7,7 @@
 #include "bindings.hpp"
 #include "prepared_model.hpp"
 #include "talus/campaign/simulate.hpp"
+#include "talus/trajectory/motion_at.hpp"
 #include "vectors.hpp"
 
 namespace talus::python {
@@ -26,12 +27,7 @@ struct Trajectory {
   /// Its motion at a time [s], limited to its duration; in the project's coordinates.
   [[nodiscard]] Motion at(double time) const {
     if (pieces.empty() || time >= duration()) return in_project(record.outcome.end);
-    time = std::max(time, 0.0);
-    const auto next = std::upper_bound(pieces.begin(), pieces.end(), time,
-                                       [](double t, const PathPiece& piece) { return t < piece.start_time; });
-    const PathPiece& piece = next == pieces.begin() ? *next : *std::prev(next);
-    const double s = std::clamp(piece.drag.parameter(time - piece.start_time), 0.0, piece.duration);
-    return in_project({piece.path.at(s), piece.velocity(s), piece.spin_at(s), time});
+    return in_project(motion_at(pieces, time));
   }
 
  private:

@@ -13,6 +13,7 @@
 
 #include "cli/program.hpp"
 #include "cli/run_files.hpp"
+#include "support/run_columns.hpp"
 #include "support/sample_run.hpp"
 #include "talus/archive/run_folder.hpp"
 #include "talus/archive/summary_json.hpp"

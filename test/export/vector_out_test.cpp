@@ -1,7 +1,6 @@
 // results.gpkg, read back with OGR as QGIS does.
 
 #include "talus/export/vector_out.hpp"
-#include "talus/archive/table_columns.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "support/file_size_limit.hpp"
+#include "support/run_columns.hpp"
 #include "support/sample_run_3d.hpp"
 #include "talus/archive/run_folder.hpp"
 #include "talus/core/problems.hpp"

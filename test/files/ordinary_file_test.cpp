@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include "support/run_columns.hpp"
 #include "support/sample_run.hpp"
 #include "talus/archive/run_folder.hpp"
-#include "talus/archive/table_columns.hpp"
 #include "talus/core/problems.hpp"
 #include "talus/files/csv_reader.hpp"
 #include "talus/import/las_file.hpp"

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "support/run_columns.hpp"
 #include "talus/archive/run_folder.hpp"
-#include "talus/archive/table_columns.hpp"
 #include "talus/files/csv_reader.hpp"
 
 namespace talus::testing_tools {

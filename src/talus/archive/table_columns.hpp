@@ -1,7 +1,6 @@
 #pragma once
 // The rows and columns of endpoints.csv, paths.csv, impacts.csv and barriers.csv, for writers and readers.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -239,16 +238,5 @@ template <class Row>
 /// The rows of the tables to which rocks add while they are simulated, in the order of the files: a new table's row is
 /// added here, and result_tables.cpp says which rows a rock has there.
 using ResultRows = std::tuple<EndpointRow, HitRow, PathEventRow, ImpactRow>;
-
-/// The columns of a run without blocks.
-template <class Row>
-inline constexpr auto plain_columns = [] {
-  std::array<std::string_view, columns_in_run<Row>(false)> names;
-  std::copy_n(column_names<Row>.begin(), names.size(), names.begin());
-  return names;
-}();
-inline constexpr const auto& endpoint_columns = plain_columns<EndpointRow>;
-inline constexpr const auto& path_columns = plain_columns<PathEventRow>;
-inline constexpr const auto& barrier_columns = column_names<HitRow>;
 
 }  // namespace talus

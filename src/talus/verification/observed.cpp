@@ -1,13 +1,13 @@
 #include "talus/verification/observed.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "talus/campaign/campaign.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/core/degrees.hpp"
 #include "talus/results/summary.hpp"
 #include "talus/rocks/energy.hpp"
+#include "talus/trajectory/motion_at.hpp"
 
 namespace talus::verification {
 namespace {
@@ -215,18 +215,11 @@ std::vector<Event> path_at(const Model& model, std::uint64_t rock, std::span<con
   simulator.log().for_each_piece([&](const PathPiece& piece) { pieces.push_back(piece); });
   std::vector<Event> events;
   for (const double time : times) {
-    const auto next = std::ranges::upper_bound(pieces, time, {}, &PathPiece::start_time);
-    const PathPiece& piece = next == pieces.begin() ? *next : *std::prev(next);
-    const double s = std::clamp(piece.drag.parameter(time - piece.start_time), 0.0, piece.duration);
-    Motion motion{piece.path.at(s), piece.velocity(s), piece.spin_at(s), time};
-    std::optional<Event::Turning> turning;
-    if (block) {
-      const auto [orientation, spin] = turned_at(attitudes, block->inertia, time);
-      turning = {orientation.to_body(spin), angle_between(attitudes.front().orientation, orientation)};
-      motion.spin = spin;
-    }
-    events.push_back(event_of(model, record.body, motion));
-    events.back().turning = turning;
+    Event& event = events.emplace_back(event_of(model, record.body, motion_at(pieces, time)));
+    if (!block) continue;
+    const auto [orientation, spin] = turned_at(attitudes, block->inertia, time);
+    event.motion.spin = spin;  // the energy is the same as with that of its sphere
+    event.turning = {orientation.to_body(spin), angle_between(attitudes.front().orientation, orientation)};
   }
   return events;
 }

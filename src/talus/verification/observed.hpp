@@ -79,7 +79,6 @@ struct Event {
 [[nodiscard]] std::vector<Event> path_of(const Model& model, std::uint64_t rock);
 
 /// Its motion at times since its release, up to its end [s]. A block's spin there is its own, not that of its sphere.
-/// Energies are those of a sphere or a point.
 [[nodiscard]] std::vector<Event> path_at(const Model& model, std::uint64_t rock, std::span<const double> times);
 
 /// The results of a campaign that are compared.
