@@ -164,7 +164,8 @@ TEST_F(PredictedSites, EachRunIsPredictedFromItsOwnRelease) {
   }
   write("releases-a.csv", releases);
   write("stops-a.csv", stops);
-  for (const PredictedRun& run : predicted()[0].runs) {
+  const SitePrediction site = predicted()[0];
+  for (const PredictedRun& run : site.runs) {
     const bool is_low = run.observed.name == "a3";
     for (const Vec2& stop : run.stops) {
       ASSERT_EQ(stop.x() > 249, is_low) << run.observed.name;
