@@ -182,5 +182,11 @@ TEST(FreeRotation, WithoutSpinOrAsASphereIsSteady) {
   EXPECT_EQ(FreeRotation({2, 2, 2}, start, spin).at(7).spin, spin);
 }
 
+TEST(FreeRotation, MomentsThatDifferByRoundingAreEqual) {
+  const Vec3 spin(3, -1, 2);
+  const FreeRotation cube({0.25, 0.25 + 1e-16, 0.25 - 1e-16}, Orientation::of_turn({0.3, 0.2, 0.1}), spin);
+  for (const double t : {0.1, 1.0, 10.0}) EXPECT_EQ(cube.at(t).spin, spin);
+}
+
 }  // namespace
 }  // namespace talus::free_rotation_test

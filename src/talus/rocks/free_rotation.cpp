@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<Vec3, 3> axes{unit_x, unit_y, unit_z};
 
-/// Below this share of the spin, its part across an axis is rounding.
+/// Below this share of the spin, its part across an axis, or the rate at which it turns in the body, is rounding.
 constexpr double steady_share = 1e-14;
 
 /// Of 1 - m: less is rounding.
@@ -38,7 +38,7 @@ FreeRotation::FreeRotation(const Vec3& inertia, const Orientation& start, const 
   const double largest = ic == ia ? 0 : wa * wa + ib * (ib - ic) / (ia * (ia - ic)) * wb * wb;
   const double circled = ic == ia ? 0 : wc * wc + ib * (ib - ia) / (ic * (ic - ia)) * wb * wb;
   const double squared_rate = circled * (ic - ia) * (ic - ib) / (ia * ib);
-  const bool turns = largest > steady_share * steady_share * w.squared_norm() && squared_rate > 0;
+  const bool turns = std::min(largest, squared_rate) > steady_share * steady_share * w.squared_norm();
   if (!turns) {
     is_steady_ = true;
     max_spin_ = spin.norm();
