@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <numeric>
 
 #include "talus/core/check.hpp"
 #include "talus/statistics/quantile.hpp"
@@ -185,9 +186,25 @@ std::uint32_t BinCounts::Pages::add(std::span<const std::uint32_t> words) {
   return place;
 }
 
+/// By place, quantity, digit and bin: places are counted, for there are many of them with few increments each.
+void BinCounts::sort_pending() {
+  std::array<std::uint32_t, most_places + 1> ends{};
+  for (const std::uint32_t increment : pending_) ++ends[place_of(increment) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  thread_local std::vector<std::uint32_t> sorted;
+  sorted.resize(pending_.size());
+  for (const std::uint32_t increment : pending_) sorted[ends[place_of(increment)]++] = increment;
+  std::uint32_t first = 0;
+  for (std::uint32_t place = 0; place < places(); ++place) {
+    std::sort(sorted.begin() + first, sorted.begin() + ends[place]);
+    first = ends[place];
+  }
+  pending_.swap(sorted);
+}
+
 void BinCounts::settle() {
   if (pending_.empty()) return;
-  std::sort(pending_.begin(), pending_.end());
+  sort_pending();
   thread_local std::vector<std::uint32_t> rebuilt;
   Pages words;
   used_ = 0;
@@ -239,52 +256,78 @@ void BinCounts::merge(std::uint32_t place, const BinCounts& other, std::uint32_t
   merge(place, other.words_of(other_place));
 }
 
+/// The rows of one quantity at one place, read from its greatest value down.
+class BinCounts::Descent {
+ public:
+  Descent(const std::uint32_t* words, std::uint32_t which) {
+    std::uint32_t before = 0, rows = 0;
+    for (std::uint32_t k = 0; k < most_quantities; ++k) {
+      const std::uint32_t digits = words[0] >> 8 * k & 0xFF;
+      if (k < which) before += digits;
+      rows += digits;
+    }
+    digits_ = words[0] >> 8 * which & 0xFF;
+    const std::uint32_t* next = words + 1 + (rows + 1) / 2;
+    for (std::uint32_t row = 0; row < before + digits_; ++row) {
+      const std::uint32_t place = words[1 + row / 2] >> 16 * (row % 2), length = place >> 8 & 0xFF;
+      if (row >= before) rows_[row - before] = {next, place & 0xFF, length};
+      next += length;
+    }
+    if (digits_ > 0) word_ = rows_[0].first + rows_[0].length;
+  }
+
+  /// The value that this many values are above; 0 if there are no more. Must be asked for in ascending order.
+  [[nodiscard]] double value_below(std::uint64_t above) {
+    while (above >= above_ + here_) {
+      if (digits_ == 0 || word_ == rows_[0].first) return 0;
+      above_ += here_;
+      --word_;
+      here_ = 0;
+      for (std::uint32_t digit = 0; digit < digits_; ++digit) here_ += std::uint64_t{sum_of(at(digit))} << 2 * digit;
+    }
+    std::uint32_t used = 0;  // the low bit of each bin that has values
+    for (std::uint32_t digit = 0; digit < digits_; ++digit) used |= at(digit) | at(digit) >> 1;
+    used &= low_bits;
+    std::uint32_t bin = 0;
+    for (std::uint64_t left = above - above_ + 1; left > 0; used &= ~(1U << 2 * bin)) {
+      bin = (31 - static_cast<std::uint32_t>(std::countl_zero(used))) / 2;
+      left -= std::min(left, in_bin(bin));
+    }
+    return log_bins::middle_of(word_ * bins_a_word + bin);
+  }
+
+ private:
+  struct Placed {
+    const std::uint32_t* words;
+    std::uint32_t first, length;
+  };
+  [[nodiscard]] std::uint32_t at(std::uint32_t digit) const {
+    const std::uint32_t k = word_ - rows_[digit].first;
+    return k < rows_[digit].length ? rows_[digit].words[k] : 0;
+  }
+  [[nodiscard]] std::uint64_t in_bin(std::uint32_t bin) const {
+    std::uint64_t values = 0;
+    for (std::uint32_t digit = 0; digit < digits_; ++digit) {
+      values += std::uint64_t{digit_in(at(digit), bin)} << 2 * digit;
+    }
+    return values;
+  }
+
+  std::uint32_t digits_ = 0;
+  std::array<Placed, most_digits> rows_;  // only those of `digits_` are set
+  std::uint32_t word_ = 0;                // the present one, numbered as in Row
+  std::uint64_t above_ = 0, here_ = 0;    // values above it, and in it
+};
+
 void BinCounts::quantiles(std::uint32_t place, std::uint32_t which, std::uint64_t count,
                           std::span<const double> probabilities, std::span<double> out) const {
   TALUS_PROMISE(pending_.empty(), "only settled counts have quantiles");
-  const std::uint32_t* const words = words_of(place);
-  const Layout at = layout(words);
-  std::array<const std::uint32_t*, most_digits> rows{};
-  const std::uint32_t* next = words + at.head;
-  for (std::uint32_t k = 0; k <= which; ++k) {
-    for (std::uint32_t digit = 0; digit < at.digits[k]; ++digit) {
-      if (k == which) rows[digit] = next;
-      next += at.rows[k][digit].length;
-    }
-  }
-  const std::uint32_t digits = at.digits[which];
-  const Row all = digits > 0 ? at.rows[which][0] : Row{};
-  std::array<std::uint64_t, most_words> in_word;  // values
-  std::uint64_t counted = 0;
-  for (std::uint32_t k = 0; k < all.length; ++k) in_word[k] = sum_of(rows[0][k]);
-  for (std::uint32_t digit = 1; digit < digits; ++digit) {
-    const Row& row = at.rows[which][digit];
-    for (std::uint32_t k = 0; k < row.length; ++k)
-      in_word[row.first - all.first + k] += std::uint64_t{sum_of(rows[digit][k])} << 2 * digit;
-  }
-  for (std::uint32_t k = 0; k < all.length; ++k) counted += in_word[k];
-  const std::uint64_t zeros = count - std::min(count, counted);
-
-  const auto value_at = [&](std::uint64_t rank) {
-    if (rank < zeros || counted == 0) return 0.0;
-    rank -= zeros;
-    std::uint32_t k = 0;
-    while (k + 1 < all.length && rank >= in_word[k]) rank -= in_word[k++];
-    for (std::uint32_t bin = 0;; ++bin) {
-      std::uint64_t here = 0;
-      for (std::uint32_t digit = 0; digit < digits; ++digit) {
-        const Row& row = at.rows[which][digit];
-        const std::uint32_t word = all.first + k - row.first;
-        if (word < row.length) here += std::uint64_t{digit_in(rows[digit][word], bin)} << 2 * digit;
-      }
-      if (rank < here || bin + 1 == bins_a_word) return log_bins::middle_of((all.first + k) * bins_a_word + bin);
-      rank -= here;
-    }
-  };
   for (std::size_t i = 0; i < probabilities.size(); ++i) {
     const auto [rank, fraction] = quantile_place(probabilities[i], count);
-    const double low = value_at(rank);
-    out[i] = fraction == 0 ? low : between(low, value_at(rank + 1), fraction);
+    Descent from_top(words_of(place), which);
+    const double high = fraction == 0 ? 0 : from_top.value_below(count - 2 - rank);
+    const double low = from_top.value_below(count - 1 - rank);
+    out[i] = fraction == 0 ? low : between(low, high, fraction);
   }
 }
 

@@ -69,16 +69,17 @@ class BinCounts {
 
   /// One digit of one quantity: words from `first` on, numbered as if there were one for every 16 bins.
   struct Row {
-    std::uint32_t first = 0, length = 0;
+    std::uint32_t first, length;
     [[nodiscard]] std::uint32_t end() const { return first + length; }
   };
   struct Layout {
     std::array<std::uint32_t, most_quantities> digits{};
-    std::array<std::array<Row, most_digits>, most_quantities> rows;
+    std::array<std::array<Row, most_digits>, most_quantities> rows;  // only those of `digits` are set
     std::uint32_t head = 0;  // words before the first row's
     std::uint32_t size = 0;  // in words
   };
   class Frame;
+  class Descent;
 
   /// Memory in pages of one size, so that a page that one tile releases can be used by another.
   class Pages {
@@ -115,6 +116,7 @@ class BinCounts {
     pending_.push_back(place << 19 | which << 17 | digit << 12 | bin);
   }
   void merge(std::uint32_t place, const std::uint32_t* words);
+  void sort_pending();
   static void rebuild(const std::uint32_t* words, std::span<const std::uint32_t> pending,
                       std::vector<std::uint32_t>& out);
   /// Calls take(which, digit, bin, value) for every digit above 0.
