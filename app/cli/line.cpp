@@ -275,7 +275,7 @@ int line(const LineOptions& options) {
     throw BadInput(Problem{.file = store.string(),
                            .what = "the run has no stored trajectories",
                            .why = "lines are asked of the paths of its rocks",
-                           .hint = "Run it again with output.trajectories_MB"});
+                           .hint = "Run it again with output.trajectories"});
   }
   const AskedRun asked(run.model, std::make_unique<StoredPaths>(store), identity.ways);
   project::DesignBasis basis = project::design_basis(run.project);

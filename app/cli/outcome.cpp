@@ -53,7 +53,7 @@ void print_summary(const Summary& summary, const std::vector<std::string>& barri
 void print_stored(const std::optional<StoredRocks>& stored) {
   if (!stored || stored->share == 1) return;
   fmt::print(
-      "  trajectories of {} rocks are stored, {:.3g} % of all: a fair sample; more with output.trajectories_MB\n",
+      "  trajectories of {} rocks are stored, {:.3g} % of all: a fair sample; more with output.trajectories\n",
       stored->rocks, 100 * stored->share);
 }
 

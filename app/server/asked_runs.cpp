@@ -46,7 +46,7 @@ std::shared_ptr<OpenRun> AskedRuns::open(const Run& run) {
     throw BadInput(Problem{.file = trajectories_name,
                            .what = "the run has no stored trajectories",
                            .why = "lines are asked of the paths of its rocks",
-                           .hint = "Run it again with output.trajectories_MB"});
+                           .hint = "Run it again with output.trajectories"});
   }
   const auto is_it = [&](const auto& open) { return open->id == run.id; };
   {

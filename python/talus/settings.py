@@ -863,9 +863,13 @@ class Output(Table):
     impacts: Number of rocks whose impacts are in `impacts.csv`: `"all"`, `"none"` or a number, evenly spread. With
     `"none"`, the file is not written. Range: at least 0, at most 1e+12. Default: "none".
 
-    trajectories_MB: Size of `trajectories.bin`, which has the trajectories of as many rocks as fit, a fair sample
-    if not all: `"all"`, `"none"` or a number. While the run lasts, they are in memory. Unit: MB. Range: at least 0,
-    at most 1e+06. Default: 256.
+    trajectories: Number of rocks in `trajectories.bin`, from which lines are asked after the run: `"all"`, `"none"`
+    or a number, a fair sample. `"all"` if only `trajectories_MB` is given. Range: at least 0, at most 1e+12.
+    Default: 10000.
+
+    trajectories_MB: Size of `trajectories.bin`, which has fewer rocks if they do not fit: `"all"`, `"none"` or a
+    number. `"all"` if only `trajectories` is given. While the run lasts, it is in memory. Unit: MB. Range: at least
+    0, at most 1e+06. Default: 16.
 
     runout_from: Point from which runout is counted, as the distance on plan: [x] in 2D, [x, y] in 3D. Unit: m.
     Without it: from each rock's release.
@@ -888,8 +892,10 @@ class Output(Table):
     the cells are those of the terrain's raster. Unit: m. Range: at least 0.01, at most 1e+09. Without it:
     `"terrain"` for a raster, otherwise 1.
 
-    percentiles: Percentiles of energy, velocity and bounce height to map in addition to the maximum and the mean,
-    at most 20. Default: [50, 95, 99].
+    percentiles: Percentiles of energy, velocity and bounce height to map in addition to the maximum, at most 20.
+    Without it: `[95]`; along a section `[50, 95, 99]`.
+
+    means: Also maps the means of energy, velocity and bounce height. Default: false.
 
     geopackage: 3D: number of rocks whose end points and paths are in `results.gpkg`, together with the barriers:
     `"all"` or a number; with `"none"`, the file is not written. Range: at least 0, at most 1e+12. Default: 10000.
@@ -902,6 +908,7 @@ class Output(Table):
     endpoints: Literal["all", "none"] | int | np.integer[Any] | None = None
     paths: Literal["all", "none"] | int | np.integer[Any] | None = None
     impacts: Literal["all", "none"] | int | np.integer[Any] | None = None
+    trajectories: Literal["all", "none"] | int | np.integer[Any] | None = None
     trajectories_MB: Literal["all", "none"] | int | np.integer[Any] | None = None
     runout_from: Sequence[Real] | np.ndarray[Any, Any] | None = None
     runout_along: Real | Sequence[Real] | np.ndarray[Any, Any] | Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
@@ -910,6 +917,7 @@ class Output(Table):
     bands: bool | Sequence[Literal["passages", "reach_share", "deposits", "impacts", "energy_total", "energy_translational", "velocity", "bounce_height"]] | np.ndarray[Any, Any] | None = None
     raster_cell_m: Literal["terrain"] | Real | None = None
     percentiles: Sequence[Real] | np.ndarray[Any, Any] | None = None
+    means: bool | None = None
     geopackage: Literal["all", "none"] | int | np.integer[Any] | None = None
     vtk: bool | None = None
     report: bool | None = None

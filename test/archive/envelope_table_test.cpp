@@ -34,8 +34,7 @@ std::vector<Row> envelopes_of(const std::string& toml, bool has_heights = true) 
   const auto observer = project::map_observer(project, model);
   Observer* const observers[] = {observer.get()};
   (void)run_campaign(model, observers, {1, nullptr, {}});
-  std::istringstream text(
-      envelope_table(observer->maps(), {project.output.maps, project.output.percentiles}, has_heights));
+  std::istringstream text(envelope_table(observer->maps(), project::map_selection(project, model), has_heights));
   std::string line;
   std::getline(text, line);
   const std::vector<std::string> names = cells_of(line);

@@ -122,9 +122,24 @@ TEST(Store, SaysWhichShareItHas) {
   EXPECT_LT(size, 40 * stored.at("rows").get<std::uint64_t>());
   const std::string text = fmt::format(
       "  trajectories of {} rocks are stored, {:.3g} % of all: a fair sample; more with "
-      "output.trajectories_MB\n",
+      "output.trajectories\n",
       stored.at("rocks").get<int>(), 100 * stored.at("share").get<double>());
   EXPECT_NE(said.text.find(text), std::string::npos) << said.text;
+}
+
+TEST(Store, HasASampleUnlessMoreIsWanted) {
+  const Workplace work;
+  const auto stored_by = [&](const std::string& settings) {
+    const Said said = talus_says("run " + std::string(tutorial("2d")) + " --rocks 12000 --set output.report=false " +
+                                 settings + " -o " + (work / "out").string());
+    EXPECT_EQ(said.exit_code, 0) << said.text;
+    return nlohmann::json::parse(std::ifstream(work / "out/summary.json")).at("trajectories").at("rocks").get<int>();
+  };
+  EXPECT_EQ(stored_by(""), 10'000);
+  EXPECT_EQ(stored_by("--set output.trajectories=1234"), 1234);
+  EXPECT_EQ(stored_by("--set output.trajectories=all"), 12'000);
+  EXPECT_EQ(stored_by("--set output.trajectories_MB=16"), 12'000);
+  EXPECT_LT(stored_by("--set output.trajectories=5000 --set output.trajectories_MB=1"), 5000);
 }
 
 TEST(Store, IsNotWrittenIfNoneIsWanted) {

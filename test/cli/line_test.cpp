@@ -145,7 +145,7 @@ TEST_F(LineCommand, RefusesWithTheReason) {
   std::filesystem::remove(work_ / "out" / "trajectories.bin");
   EXPECT_EQ(text_of("--barrier Fence", 2),
             "out/trajectories.bin: the run has no stored trajectories (lines are asked of the paths of its "
-            "rocks). Run it again with output.trajectories_MB\n");
+            "rocks). Run it again with output.trajectories\n");
 }
 
 TEST(LineOfASectionFile, IsRefusedWithoutTheWarningsOfTheRun) {

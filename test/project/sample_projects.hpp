@@ -137,6 +137,7 @@ cost_height_exponent = 2
 cost_energy_exponent = 0
 [output]
 endpoints = 30
+trajectories = 12
 trajectories_MB = 12
 impacts = "all"
 runout_from = [3]
@@ -202,6 +203,7 @@ maps = false
 maps_by_source = true
 raster_cell_m = 2.5
 percentiles = [25, 99.9]
+means = true
 geopackage = "all"
 vtk = true
 )";

@@ -283,7 +283,8 @@ TEST(Maps, AgreeWithAReferenceThatKeepsEveryValue) {
       for (const double percent : {5.0, 50.0, 95.0, 99.0, 100.0}) {
         const auto [rank, fraction] = quantile_place(percent / 100, values.size());
         const double exact = fraction > 0 ? between(values[rank], values[rank + 1], fraction) : values[rank];
-        EXPECT_NEAR(tally->percentile(quantity, percent), exact, 0.01 * exact + 0.001);
+        const bool is_alone = values.size() == 1;
+        EXPECT_NEAR(tally->percentile(quantity, percent), exact, is_alone ? 1e-6 * exact : 0.01 * exact + 0.001);
       }
     }
   }

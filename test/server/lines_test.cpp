@@ -171,7 +171,7 @@ TEST_F(AskedLines, NeedStoredTrajectories) {
   std::filesystem::remove(folder_ / "trajectories.bin");
   EXPECT_EQ(refusal({{"barrier", "Fence"}}, 422),
             "trajectories.bin: the run has no stored trajectories (lines are asked of the paths of its rocks). Run it "
-            "again with output.trajectories_MB");
+            "again with output.trajectories");
 }
 
 }  // namespace

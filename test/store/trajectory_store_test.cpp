@@ -33,7 +33,7 @@ Model tutorial(const char* dimensions) {
       {"", std::string("tutorial-1/tutorial-1-") + dimensions + ".toml", {"seeder.0.rocks=" + std::to_string(rocks)}});
 }
 
-std::unique_ptr<StoreObserver> store_of(const Model& model, std::uint64_t budget, const RockRange& range,
+std::unique_ptr<StoreObserver> store_of(const Model& model, const StoreBudget& budget, const RockRange& range,
                                         int threads = 2) {
   auto store = std::make_unique<StoreObserver>(budget, model);
   Observer* const observers[] = {store.get()};
@@ -52,7 +52,7 @@ fs::path written(StoreObserver& store, const test::Workplace& work, const char* 
 TEST(TrajectoryStore, HasAllRocksIfTheyFit) {
   const test::Workplace work;
   const Model model = tutorial("3d");
-  const auto observer = store_of(model, StoreObserver::no_limit, {0, rocks});
+  const auto observer = store_of(model, {}, {0, rocks});
   const StoreExtent extent = observer->write(work / "t.bin", rocks);
   EXPECT_EQ(extent.rocks, rocks);
   EXPECT_EQ(extent.bytes, fs::file_size(work / "t.bin"));
@@ -82,9 +82,9 @@ TEST(TrajectoryStore, HasAllRocksIfTheyFit) {
 TEST(TrajectoryStore, HasTheFirstRocksOfTheChoiceThatFit) {
   const test::Workplace work;
   const Model model = tutorial("2d");
-  const auto all = store_of(model, StoreObserver::no_limit, {0, rocks});
+  const auto all = store_of(model, {}, {0, rocks});
   const std::uint64_t bytes = all->write(work / "all.bin", rocks).bytes;
-  const auto some = store_of(model, bytes / 3, {0, rocks});
+  const auto some = store_of(model, {bytes / 3}, {0, rocks});
   const StoreExtent extent = some->write(work / "some.bin", rocks);
   EXPECT_LT(extent.bytes, bytes / 3 + 4096);
   EXPECT_GT(extent.rocks, rocks / 4);
@@ -102,7 +102,7 @@ TEST(TrajectoryStore, HasTheFirstRocksOfTheChoiceThatFit) {
 TEST(TrajectoryStore, HasNoneIfNoneFits) {
   const test::Workplace work;
   const Model model = tutorial("2d");
-  const TrajectoryStore store(written(*store_of(model, 10, {0, rocks}), work));
+  const TrajectoryStore store(written(*store_of(model, {10}, {0, rocks}), work));
   EXPECT_TRUE(store.rocks().empty());
   EXPECT_TRUE(store.rocks_near({{-100, -100}, {100, 100}}).empty());
 }
@@ -111,11 +111,12 @@ TEST(TrajectoryStore, AnyDivisionOfTheRocksGivesTheSameBytes) {
   const test::Workplace work;
   const Model model = tutorial("3d");
   Dice dice(9);
-  for (const std::uint64_t budget : {StoreObserver::no_limit, std::uint64_t{40'000}, std::uint64_t{9'000}}) {
+  for (const StoreBudget& budget :
+       {StoreBudget{}, StoreBudget{40'000}, StoreBudget{9'000}, StoreBudget{.rocks = 70}, StoreBudget{15'000, 70}}) {
     const auto whole = store_of(model, budget, {0, rocks}, 1);
     const std::string bytes = saved(*whole);
     const std::string file = test::bytes_of(written(*whole, work));
-    for (int trial = 0; trial < 6; ++trial) {
+    for (int trial = 0; trial < 4; ++trial) {
       std::vector<std::string> parts;
       for (std::uint64_t first = 0; first < rocks;) {
         const std::uint64_t last = std::min<std::uint64_t>(rocks, first + 1 + dice.below(250));
@@ -136,21 +137,21 @@ TEST(TrajectoryStore, AnyDivisionOfTheRocksGivesTheSameBytes) {
 
 TEST(TrajectoryStore, AResumedObserverGivesTheSameBytes) {
   const Model model = tutorial("2d");
-  const auto first = store_of(model, 15'000, {0, 150});
-  StoreObserver resumed(15'000, model);
+  const auto first = store_of(model, {15'000}, {0, 150});
+  StoreObserver resumed({15'000}, model);
   ASSERT_TRUE(takes(resumed, saved(*first)));
   Observer* const observers[] = {&resumed};
   CampaignOptions options;
   options.rocks = RockRange{150, rocks};
   run_campaign(model, observers, options);
-  EXPECT_EQ(saved(resumed), saved(*store_of(model, 15'000, {0, rocks})));
+  EXPECT_EQ(saved(resumed), saved(*store_of(model, {15'000}, {0, rocks})));
 }
 
 TEST(TrajectoryStore, DamagedStatesAreRefused) {
   const Model model = tutorial("2d");
-  const std::string bytes = saved(*store_of(model, 4'000, {0, 40}));
+  const std::string bytes = saved(*store_of(model, {4'000}, {0, 40}));
   struct Handle {
-    std::unique_ptr<StoreObserver> observer = std::make_unique<StoreObserver>(4'000);
+    std::unique_ptr<StoreObserver> observer = std::make_unique<StoreObserver>(StoreBudget{4'000});
     void merge_saved(ByteReader& in) { observer->merge_saved(in); }
   };
   Dice dice(2);
@@ -162,7 +163,7 @@ TEST(TrajectoryStore, TheIndexHasAllRocksNearAPlace) {
   const test::Workplace work;
   for (const char* dimensions : {"2d", "3d"}) {
     const Model model = tutorial(dimensions);
-    const TrajectoryStore store(written(*store_of(model, StoreObserver::no_limit, {0, rocks}), work));
+    const TrajectoryStore store(written(*store_of(model, {}, {0, rocks}), work));
     std::size_t read = 0, possible = 0;
     for (double x = 0.25; x < 26; x += 1.5) {
       const Vec2 at(x - store.facts().origin.x(), 0);
@@ -199,7 +200,7 @@ std::string refusal(const std::function<void()>& work) {
 TEST(TrajectoryStore, DamageIsRefusedWithItsReason) {
   const test::Workplace work;
   const Model model = tutorial("2d");
-  const std::string bytes = test::bytes_of(written(*store_of(model, 4'000, {0, rocks}), work));
+  const std::string bytes = test::bytes_of(written(*store_of(model, {4'000}, {0, rocks}), work));
   const auto refusal_of = [&](const std::string& changed) {
     const std::string file = work.write("bad.bin", changed);
     const std::string text = refusal([&] {

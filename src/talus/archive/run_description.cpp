@@ -47,14 +47,18 @@ Json head_of(const RunDescription& description) {
   json["wants_envelopes"] = description.wants_envelopes;
   json["wants_geopackage"] = description.wants_geopackage;
   json["wants_report"] = description.wants_report;
-  if (description.store_bytes) json["store_bytes"] = *description.store_bytes;
+  if (description.store_bytes) {
+    json["store_bytes"] = *description.store_bytes;
+    json["store_rocks"] = description.store_rocks;
+  }
   json["warnings"] = description.warnings;
   if (const auto& maps = description.maps) {
     json["maps"] = {{"origin", {maps->origin.x(), maps->origin.y()}},
                     {"cell", {maps->cell.x(), maps->cell.y()}},
                     {"by_source", maps->by_source},
                     {"subjects", names_of(maps->selection.subjects)},
-                    {"percentiles", maps->selection.percentiles}};
+                    {"percentiles", maps->selection.percentiles},
+                    {"means", maps->selection.means}};
   }
   if (const auto& maps = description.maps; maps && maps->ensembles > 0) {
     json["maps"]["ensembles"] = maps->ensembles;
@@ -106,7 +110,10 @@ RunDescription read(const Json& json) {
   description.wants_envelopes = json.value("wants_envelopes", false);
   json.at("wants_geopackage").get_to(description.wants_geopackage);
   json.at("wants_report").get_to(description.wants_report);
-  if (json.contains("store_bytes")) description.store_bytes = json.at("store_bytes").get<std::uint64_t>();
+  if (json.contains("store_bytes")) {
+    description.store_bytes = json.at("store_bytes").get<std::uint64_t>();
+    json.at("store_rocks").get_to(description.store_rocks);
+  }
   json.at("warnings").get_to(description.warnings);
   description.project = json.at("project");
   description.model = json.at("model");
@@ -122,6 +129,7 @@ RunDescription read(const Json& json) {
     given.at("by_source").get_to(maps.by_source);
     if (given.contains("subjects")) maps.selection.subjects = subjects_from(given.at("subjects"));
     given.at("percentiles").get_to(maps.selection.percentiles);
+    maps.selection.means = given.value("means", true);
     if (given.contains("ensembles")) {
       given.at("ensembles").get_to(maps.ensembles);
       maps.selection.bands = subjects_from(given.at("bands"));

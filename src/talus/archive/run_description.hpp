@@ -2,6 +2,7 @@
 // Everything that summary.json, the maps and the report need besides the sums over rocks and the tables. With these
 // three they can be written without the project's files.
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -43,7 +44,9 @@ struct RunDescription {
   bool wants_geopackage = false;      // on 3D terrain only
   bool wants_report = true;
   ReportInputs inputs;  // of the first process only
-  std::optional<std::uint64_t> store_bytes;  // of the store of trajectories, about; nullopt: no store
+  // The store of trajectories, at most: its bytes, about, and its rocks; nullopt: no store.
+  std::optional<std::uint64_t> store_bytes;
+  std::uint64_t store_rocks = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// The origin of the model's local frame in user coordinates [m].

@@ -22,7 +22,7 @@
 namespace talus {
 
 inline constexpr const char* run_state_name = "run.state";
-inline constexpr std::uint32_t run_state_format = 4;
+inline constexpr std::uint32_t run_state_format = 5;
 
 struct RunStateHeader {
   RunDescription description;

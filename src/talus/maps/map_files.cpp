@@ -102,24 +102,47 @@ class Options {
   char** list_ = nullptr;
 };
 
+/// ZSTD takes half the time of DEFLATE for files of the same size. Values of a rock's motion have too many digits for a
+/// predictor to help either of them. Some builds of GDAL have no ZSTD.
+struct Compression {
+  const char *scheme, *level;  // options of the driver GTiff
+};
+const Compression& compression() {
+  static const bool has_zstd = [] {
+    GDALDriver* const tiff = GetGDALDriverManager()->GetDriverByName("GTiff");
+    const char* const options = tiff != nullptr ? tiff->GetMetadataItem(GDAL_DMD_CREATIONOPTIONLIST) : nullptr;
+    return options != nullptr && std::string_view(options).find("ZSTD") != std::string_view::npos;
+  }();
+  static const Compression chosen =
+      has_zstd ? Compression{"COMPRESS=ZSTD", "ZSTD_LEVEL=1"} : Compression{"COMPRESS=DEFLATE", "ZLEVEL=1"};
+  return chosen;
+}
+
 constexpr double no_rock = -9999;
 double value_without_rock(const MapKind& kind) { return kind.is_count ? 0 : no_rock; }
 
-/// A map before it is written to its file: a raster in memory that keeps only the blocks that have data.
-class Scratch {
+/// A map while it is written. A small one goes straight to its file. A large one has overviews, which come before the
+/// cells in a cloud-optimised file: it is gathered in memory first, with only the blocks that have data.
+class MapRaster {
  public:
   static constexpr int block = 256;  // cells a side
 
-  Scratch(const MapKind& kind, bool is_large, const MapGrid& grid, const Maps::Extent& extent,
-          const std::string& crs_wkt, const std::filesystem::path& folder)
-      : kind_(kind),
-        file_(folder / (kind.name + ".tif")),
-        name_(fmt::format("/vsimem/talus-{}.tif", static_cast<const void*>(this))) {
-    const GdalMessages messages(GdalFiles::in_folder(file_.parent_path()));
-    const Options sparse{"TILED=YES", "BLOCKXSIZE=256", "BLOCKYSIZE=256", "SPARSE_OK=TRUE", "BIGTIFF=IF_SAFER"};
+  MapRaster(const MapKind& kind, bool has_large_counts, const MapGrid& grid, const Maps::Extent& extent,
+            const std::string& crs_wkt, const std::filesystem::path& folder)
+      : kind_(kind), file_(folder / (kind.name + ".tif")), part_(OutputFile::part_of(file_)) {
     const int columns = extent.last.column - extent.first.column + 1, rows = extent.last.row - extent.first.row + 1;
-    const GDALDataType type = !kind.is_count ? GDT_Float32 : is_large ? GDT_Float64 : GDT_UInt32;
-    raster_.reset(driver("GTiff", file_).Create(name_.c_str(), columns, rows, 1, type, sparse));
+    has_overviews_ = wants_overviews(columns, rows);
+    name_ = has_overviews_ ? fmt::format("/vsimem/talus-{}.tif", static_cast<const void*>(this)) : part_.string();
+    // A part that a killed run left: GDAL would open it and report errors in it.
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
+    const GdalMessages messages(GdalFiles::in_folder(file_.parent_path()));
+    const Options options{"TILED=YES",        "BLOCKXSIZE=256",
+                          "BLOCKYSIZE=256",   "SPARSE_OK=TRUE",
+                          "BIGTIFF=IF_SAFER", has_overviews_ ? "COMPRESS=NONE" : compression().scheme,
+                          compression().level};
+    const GDALDataType type = !kind.is_count ? GDT_Float32 : has_large_counts ? GDT_Float64 : GDT_UInt32;
+    raster_.reset(driver("GTiff", file_).Create(name_.c_str(), columns, rows, 1, type, options));
     if (!raster_) refuse(file_, messages);
     std::array<double, 6> geotransform{grid.origin().x() + extent.first.column * grid.cell().x(),
                                        grid.cell().x(),
@@ -138,11 +161,13 @@ class Scratch {
     band.SetDescription(kind.meaning.c_str());
     band.SetUnitType(kind.unit.c_str());
   }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
+  MapRaster(const MapRaster&) = delete;
+  MapRaster& operator=(const MapRaster&) = delete;
+  ~MapRaster() {
     raster_.reset();
-    VSIUnlink(name_.c_str());
+    if (has_overviews_) VSIUnlink(name_.c_str());
+    std::error_code ignored;
+    std::filesystem::remove(part_, ignored);
   }
 
   /// Writes the values of a block of cells, from north to south; its first cell is at (x, y) of the picture.
@@ -161,30 +186,14 @@ class Scratch {
 
   void finish() {
     GdalMessages messages(GdalFiles::in_folder(file_.parent_path()));
-    if (!build_overviews(*raster_, kind_.overview)) refuse(file_, messages);
-    std::filesystem::path part = file_;
-    part += ".part";
-    const Options cloud_optimised{
-        "COMPRESS=DEFLATE", "LEVEL=1",       "PREDICTOR=YES",   "OVERVIEWS=FORCE_USE_EXISTING",
-        "SPARSE_OK=TRUE",   "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
-    // A part that a killed run left: GDAL would open it and report errors in it.
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    messages.clear();
-    const auto continues = [](double, const char*, void*) -> int {
-      return StopScope::current() == nullptr || !StopScope::current()->is_requested() ? TRUE : FALSE;
-    };
-    const bool is_made =
-        GDALDatasetUniquePtr(
-            driver("COG", file_).CreateCopy(part.c_str(), raster_.get(), FALSE, cloud_optimised, continues, nullptr)) !=
-        nullptr;
-    if (!continues(1, "", nullptr)) std::filesystem::remove(part, ignored);
-    stop_point();
-    if (!is_made || messages.has_failure()) {  // errors while a file is closed are only messages
-      std::filesystem::remove(part, ignored);
-      refuse(file_, messages);
+    if (has_overviews_) {
+      copy_with_overviews(messages);
+    } else {
+      raster_.reset();
     }
-    finish_file(part, file_);
+    stop_point();
+    if (messages.has_failure()) refuse(file_, messages);  // errors while a file is closed are only messages
+    finish_file(part_, file_);
 
     OutputFile style(std::filesystem::path(file_).replace_extension(".qml"));
     style.write(qgis_style(kind_.limits, kind_.unit, range_));
@@ -192,9 +201,24 @@ class Scratch {
   }
 
  private:
+  void copy_with_overviews(GdalMessages& messages) {
+    if (!build_overviews(*raster_, kind_.overview)) refuse(file_, messages);
+    const Options cloud_optimised{compression().scheme, "LEVEL=1",       "OVERVIEWS=FORCE_USE_EXISTING",
+                                  "SPARSE_OK=TRUE",     "BLOCKSIZE=256", "BIGTIFF=IF_SAFER"};
+    messages.clear();
+    const auto continues = [](double, const char*, void*) -> int {
+      return StopScope::current() == nullptr || !StopScope::current()->is_requested() ? TRUE : FALSE;
+    };
+    const GDALDatasetUniquePtr copy(
+        driver("COG", file_).CreateCopy(part_.c_str(), raster_.get(), FALSE, cloud_optimised, continues, nullptr));
+    stop_point();
+    if (!copy) refuse(file_, messages);
+  }
+
   const MapKind& kind_;
-  std::filesystem::path file_;
-  std::string name_;
+  std::filesystem::path file_, part_;
+  bool has_overviews_;
+  std::string name_;  // of the raster: `part_`, or a file in memory
   GDALDatasetUniquePtr raster_;
   ValueRange range_;
 };
@@ -204,7 +228,7 @@ using Blocks = std::map<std::pair<int, int>, std::vector<const Maps::Tile*>>;
 
 Blocks blocks_of(const Maps& maps, const Maps::Extent& extent) {
   Blocks blocks;
-  const auto among = [](std::int32_t cell, std::int32_t most) { return std::clamp(cell, 0, most) / Scratch::block; };
+  const auto among = [](std::int32_t cell, std::int32_t most) { return std::clamp(cell, 0, most) / MapRaster::block; };
   const std::int32_t columns = extent.last.column - extent.first.column, rows = extent.last.row - extent.first.row;
   for (const Maps::Tile* tile : maps.tiles()) {
     const std::int32_t west = tile->first().column - extent.first.column, east = west + Maps::tile_side - 1;
@@ -219,17 +243,17 @@ Blocks blocks_of(const Maps& maps, const Maps::Extent& extent) {
 /// The maps of a group: each cell is read once.
 void write_group(const MapsOfRun& maps, const MapGroup& group, const Maps::Extent& extent, const Blocks& blocks,
                  bool is_large, const std::string& crs_wkt, const std::filesystem::path& folder) {
-  std::vector<std::unique_ptr<Scratch>> files;
+  std::vector<std::unique_ptr<MapRaster>> files;
   for (const MapKind& kind : group.kinds)
-    files.push_back(std::make_unique<Scratch>(kind, is_large, maps.all.grid(), extent, crs_wkt, folder));
+    files.push_back(std::make_unique<MapRaster>(kind, is_large, maps.all.grid(), extent, crs_wkt, folder));
   std::vector<std::vector<double>> values(files.size());
   std::vector<double> of_cell(files.size());
   MapCells cells(maps, group.needs_ensembles);
   for (const auto& [place, tiles] : blocks) {
     stop_point();
-    const int x = place.second * Scratch::block, y = place.first * Scratch::block;
-    const int columns = std::min(Scratch::block, extent.last.column - extent.first.column + 1 - x);
-    const int rows = std::min(Scratch::block, extent.last.row - extent.first.row + 1 - y);
+    const int x = place.second * MapRaster::block, y = place.first * MapRaster::block;
+    const int columns = std::min(MapRaster::block, extent.last.column - extent.first.column + 1 - x);
+    const int rows = std::min(MapRaster::block, extent.last.row - extent.first.row + 1 - y);
     for (std::size_t k = 0; k < files.size(); ++k) {
       values[k].assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
                        value_without_rock(group.kinds[k]));
@@ -259,7 +283,7 @@ void write_group(const MapsOfRun& maps, const MapGroup& group, const Maps::Exten
   // too.
   const StopScope* const here = StopScope::current();
   tbb::this_task_arena::isolate([&] {
-    tbb::parallel_for_each(files, [&](std::unique_ptr<Scratch>& file) {
+    tbb::parallel_for_each(files, [&](std::unique_ptr<MapRaster>& file) {
       const StopScope there(here);
       stop_point();
       file->finish();

@@ -63,21 +63,21 @@ PlainGroup counts_of(const MapSubjects& subjects) {
   return group;
 }
 
-PlainGroup group_of(const MapSubjectRow& row, const std::vector<double>& percentiles) {
+PlainGroup group_of(const MapSubjectRow& row, const MapSelection& selection) {
   PlainGroup group;
   const auto add = [&](const std::string& part, const std::string& meaning, MapOverview overview) {
     group.kinds.push_back(kind_of_quantity(row, part, meaning, overview));
   };
   add("max", "maximum over all rocks", MapOverview::maximum);
-  add("mean", "mean over the rocks", MapOverview::mean);
-  for (const double percent : percentiles) {
+  if (selection.means) add("mean", "mean over the rocks", MapOverview::mean);
+  for (const double percent : selection.percentiles) {
     add(fmt::format("p{}", percent), fmt::format("percentile {} of the rocks", percent), MapOverview::maximum);
   }
-  group.values = [quantity = *row.quantity, per = row.per, percentiles](const MapTally& cell, std::uint64_t,
-                                                                        std::span<double> values) {
+  group.values = [quantity = *row.quantity, per = row.per, means = selection.means,
+                  percentiles = selection.percentiles](const MapTally& cell, std::uint64_t, std::span<double> values) {
     values[0] = cell.maximum(quantity);
-    values[1] = cell.mean(quantity);
-    if (!percentiles.empty()) cell.percentiles(quantity, percentiles, values.subspan(2));
+    if (means) values[1] = cell.mean(quantity);
+    if (!percentiles.empty()) cell.percentiles(quantity, percentiles, values.subspan(means ? 2 : 1));
     for (double& value : values) value /= per;
   };
   return group;
@@ -128,26 +128,22 @@ MapGroup bands_of_reach() {
   return group;
 }
 
-MapContents contents_for(const MapSubjects& subjects, bool with_percentiles_of_all) {
+MapContents contents_for(const MapSubjects& subjects, const MapSelection& selection) {
   MapContents::Choice gathered{}, with_percentiles{};
   for (std::size_t k = 0; k < map_subjects.size(); ++k) {
     if (!map_subjects[k].quantity || !subjects[k]) continue;
     const auto place = static_cast<std::size_t>(*map_subjects[k].quantity);
     gathered[place] = true;
-    with_percentiles[place] = with_percentiles_of_all;
+    with_percentiles[place] = !selection.percentiles.empty();
   }
-  return {gathered, with_percentiles};
+  return {gathered, with_percentiles, selection.means};
 }
 
 }  // namespace
 
-MapContents contents_of(const MapSelection& selection) {
-  return contents_for(selection.subjects, !selection.percentiles.empty());
-}
+MapContents contents_of(const MapSelection& selection) { return contents_for(selection.subjects, selection); }
 
-MapContents contents_of_ensembles(const MapSelection& selection) {
-  return contents_for(selection.bands, !selection.percentiles.empty());
-}
+MapContents contents_of_ensembles(const MapSelection& selection) { return contents_for(selection.bands, selection); }
 
 std::vector<MapGroup> map_groups(const MapSelection& selection) {
   std::vector<MapGroup> groups;
@@ -157,8 +153,8 @@ std::vector<MapGroup> map_groups(const MapSelection& selection) {
   for (std::size_t k = 0; k < map_subjects.size(); ++k) {
     const MapSubjectRow& row = map_subjects[k];
     if (!row.quantity || !selection.subjects[k]) continue;
-    groups.push_back(of_all(group_of(row, selection.percentiles)));
-    if (selection.bands[k]) groups.push_back(bands_of(group_of(row, selection.percentiles), row));
+    groups.push_back(of_all(group_of(row, selection)));
+    if (selection.bands[k]) groups.push_back(bands_of(group_of(row, selection), row));
   }
   return groups;
 }

@@ -39,6 +39,7 @@ struct MapSelection {
   MapSubjects subjects = all_map_subjects;
   std::vector<double> percentiles{};  // in [0, 100], for the quantities among the subjects
   MapSubjects bands{};                // the subjects whose range between ensembles is mapped, too
+  bool means = true;                  // of the quantities among the subjects
 };
 
 /// The quantities that have to be gathered for them, of all rocks and of each ensemble.

@@ -8,32 +8,14 @@
 #include <vector>
 
 #include "talus/core/stop.hpp"
+#include "talus/maps/halved_cells.hpp"
 
 namespace talus {
 
 namespace {
 
-constexpr int largest_side = 256;  // of a map without overviews, and of the blocks that are processed
-
-/// Four cells, or those of them that are on the map, as one.
-class Merged {
- public:
-  Merged(MapOverview what, double no_data) : what_(what), no_data_(no_data) {}
-  void add(double value) {
-    if (value == no_data_) return;
-    value_ = count_ == 0 ? value : what_ == MapOverview::mean ? value_ + value : std::max(value_, value);
-    ++count_;
-  }
-  [[nodiscard]] double value() const {
-    return count_ == 0 ? no_data_ : what_ == MapOverview::mean ? value_ / count_ : value_;
-  }
-
- private:
-  MapOverview what_;
-  double no_data_;
-  double value_ = 0;
-  int count_ = 0;
-};
+constexpr int largest_without = 2048;  // side of a map that is drawn at any scale as fast as one with overviews
+constexpr int largest_side = 256;      // of the last overview, and of the blocks that are processed
 
 bool has_data(GDALRasterBand& band, int x, int y, int columns, int rows) {
   return (band.GetDataCoverageStatus(x, y, columns, rows, 0, nullptr) & GDAL_DATA_COVERAGE_STATUS_DATA) != 0;
@@ -54,19 +36,7 @@ bool halve(GDALRasterBand& from, GDALRasterBand& to, MapOverview what) {
                         GDT_Float64, 0, 0, nullptr) != CE_None) {
         return false;
       }
-      coarse.clear();
-      for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-          Merged merged(what, no_data);
-          for (int j = 2 * row; j < std::min(2 * row + 2, fine_rows); ++j) {
-            for (int i = 2 * column; i < std::min(2 * column + 2, fine_columns); ++i) {
-              merged.add(fine[static_cast<std::size_t>(j) * static_cast<std::size_t>(fine_columns) +
-                              static_cast<std::size_t>(i)]);
-            }
-          }
-          coarse.push_back(merged.value());
-        }
-      }
+      coarse = halved_cells(std::span<const double>(fine), fine_columns, what, no_data);
       if (to.RasterIO(GF_Write, x, y, columns, rows, coarse.data(), columns, rows, GDT_Float64, 0, 0, nullptr) !=
           CE_None) {
         return false;
@@ -78,13 +48,14 @@ bool halve(GDALRasterBand& from, GDALRasterBand& to, MapOverview what) {
 
 }  // namespace
 
+bool wants_overviews(int columns, int rows) { return std::max(columns, rows) > largest_without; }
+
 bool build_overviews(GDALDataset& raster, MapOverview what) {
   std::vector<int> factors;
   for (int longest = std::max(raster.GetRasterXSize(), raster.GetRasterYSize()), factor = 1; longest > largest_side;) {
     longest = (longest + 1) / 2;
     factors.push_back(factor *= 2);
   }
-  if (factors.empty()) return true;
   // Makes the bands of the overviews without values, which are computed here.
   const CPLConfigOptionSetter sparse("SPARSE_OK_OVERVIEW", "TRUE", false);
   if (raster.BuildOverviews("NONE", static_cast<int>(factors.size()), factors.data(), 0, nullptr, nullptr, nullptr) !=

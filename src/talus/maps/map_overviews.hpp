@@ -7,6 +7,9 @@
 
 namespace talus {
 
+/// Whether a map of this size is drawn faster with overviews at small scales.
+[[nodiscard]] bool wants_overviews(int columns, int rows);
+
 /// Adds overviews to a GeoTIFF that is being made, each half as wide and high as the one before, until both sides have
 /// 256 cells or fewer. An overview cell has the maximum or the mean of those of its four cells that have data; at the
 /// eastern and southern edge it may have only two or one. Parts without data take neither time nor space.

@@ -13,6 +13,7 @@
 
 #include "talus/core/problems.hpp"
 #include "talus/files/ordinary_file.hpp"
+#include "talus/maps/halved_cells.hpp"
 #include "talus/maps/map_list.hpp"
 #include "talus/maps/source_maps.hpp"
 
@@ -41,6 +42,7 @@ std::string kind_of(const std::string& name) {
 struct Known {
   std::size_t place;
   ClassLimits limits;
+  MapOverview overview;
 };
 
 /// The kind of map of a file name; nullopt if it is not a map of a run.
@@ -48,7 +50,7 @@ std::optional<Known> known(const std::string& stem) {
   static const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}, .bands = banded_map_subjects});
   const auto found = std::ranges::find(kinds, kind_of(stem), &MapKind::name);
   if (found == kinds.end()) return std::nullopt;
-  return Known{static_cast<std::size_t>(found - kinds.begin()), found->limits};
+  return Known{static_cast<std::size_t>(found - kinds.begin()), found->limits, found->overview};
 }
 
 double percentile_in(const std::string& stem) {
@@ -166,17 +168,25 @@ MapValues read_map(const fs::path& folder, const MapFile& map, int pixels) {
   double stride = 1;
   while (std::ceil(whole.GetXSize() / stride) > found.columns || std::ceil(whole.GetYSize() / stride) > found.rows)
     stride *= 2;
-  found.cell = {place[1] * stride, -place[5] * stride};
-  found.origin = {place[0], place[3] - found.rows * found.cell[1]};
   found.values.resize(static_cast<std::size_t>(found.columns) * static_cast<std::size_t>(found.rows));
-  // Line by line from the end of the file, where the southernmost line is.
-  const auto line = static_cast<GSpacing>(found.columns) * static_cast<GSpacing>(sizeof(float));
-  float* const last_line =
-      found.values.data() + static_cast<std::size_t>(found.columns) * static_cast<std::size_t>(found.rows - 1);
-  if (band.RasterIO(GF_Read, 0, 0, found.columns, found.rows, last_line, found.columns, found.rows, GDT_Float32,
-                    sizeof(float), -line, nullptr) != CE_None)
+  if (band.RasterIO(GF_Read, 0, 0, found.columns, found.rows, found.values.data(), found.columns, found.rows,
+                    GDT_Float32, 0, 0, nullptr) != CE_None)
     problems.stop("cannot be read", messages.failure());
   const auto no_data = static_cast<float>(whole.GetNoDataValue());
+  // A small map has no overviews.
+  const auto kind = known(fs::path(map.name).filename().string());
+  for (; std::max(found.columns, found.rows) > pixels; stride *= 2) {
+    found.values = halved_cells(std::span<const float>(found.values), found.columns,
+                                kind ? kind->overview : MapOverview::maximum, no_data);
+    found.columns = (found.columns + 1) / 2;
+    found.rows = (found.rows + 1) / 2;
+  }
+  found.cell = {place[1] * stride, -place[5] * stride};
+  found.origin = {place[0], place[3] - found.rows * found.cell[1]};
+  const auto line = static_cast<std::ptrdiff_t>(found.columns);
+  for (auto north = found.values.begin(), south = found.values.end() - line; north < south;
+       north += line, south -= line)
+    std::swap_ranges(north, north + line, south);  // from south to north
   std::replace(found.values.begin(), found.values.end(), no_data, std::numeric_limits<float>::quiet_NaN());
   return found;
 }

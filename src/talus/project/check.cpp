@@ -389,16 +389,20 @@ class Rules {
   void check_output() {
     const toml::table* row = table("output");
     const Output& output = project_.output;
-    if (accepted(row, "percentiles") && accepted(row, "maps") && output.maps.any() && !output.percentiles.empty() &&
-        contents_of({output.maps, {}}).quantities() == 0) {
-      report(row->get("percentiles"), "[output]", "percentiles has no effect", "maps lists only counts",
+    const bool has_only_counts = output.maps.any() && contents_of({output.maps, {}}).quantities() == 0;
+    const auto warn_if_in_vain = [&](const char* key, bool asks) {
+      if (!has_only_counts || !asks || !accepted(row, key) || !accepted(row, "maps")) return;
+      report(row->get(key), "[output]", fmt::format("{} has no effect", key), "maps lists only counts",
              "Add a quantity, such as \"energy_total\"", Severity::warning);
-    }
+    };
+    warn_if_in_vain("percentiles", output.percentiles && !output.percentiles->empty());
+    warn_if_in_vain("means", output.means);
     if (const Node list = accepted(row, "bands"); list && list->is_array()) check_bands(*list->as_array());
     if (const Node list = accepted(row, "percentiles")) {
-      for (const std::size_t i : repeated(output.percentiles)) {
+      const std::vector<double> percentiles = output.percentiles.value_or(std::vector<double>());
+      for (const std::size_t i : repeated(percentiles)) {
         report(list->as_array()->get(i), "[output]",
-               fmt::format("percentiles[{}] is {}", i, number_text(output.percentiles[i])), "it is listed twice",
+               fmt::format("percentiles[{}] is {}", i, number_text(percentiles[i])), "it is listed twice",
                "Leave it out");
       }
     }

@@ -139,7 +139,9 @@ struct Output {
   std::optional<std::int64_t> endpoint_limit;
   std::optional<std::int64_t> path_limit = 2000;
   std::optional<std::int64_t> impact_limit = 0;  // key `impacts`
-  std::optional<std::int64_t> trajectories_MB = 256;
+  // Of the store, a sample unless one of the two is given; the other is "all" then.
+  std::optional<std::int64_t> stored_limit = 10'000;  // key `trajectories`, as `paths`
+  std::optional<std::int64_t> trajectories_MB = 16;
   // On plan, in the project's coordinates; 2D: (x, 0). At most one of them is given.
   std::optional<std::array<double, 2>> runout_from;
   std::vector<std::array<double, 2>> runout_along;
@@ -149,7 +151,8 @@ struct Output {
   MapSubjects bands = only(MapCount::reach_share);
   // nullopt is "terrain", the cells of the terrain's raster; 0 means not given, until reading is complete.
   std::optional<double> raster_cell_m = 0;
-  std::vector<double> percentiles{50, 95, 99};
+  std::optional<std::vector<double>> percentiles;        // in maps: 95; along a section: 50, 95 and 99
+  bool means = false;                                    // in maps; a section has them
   std::optional<std::int64_t> geopackage_limit = 10000;  // key `geopackage`, as `paths`; 3D only
   bool vtk = false;
   bool report = true;

@@ -61,6 +61,15 @@ void complete(Project& project) {
   }
 }
 
+/// A limit of the store that is given rules alone.
+void complete_store(const Document& document, Output& output) {
+  const toml::table* given = document.root()["output"].as_table();
+  const bool has_rocks = given && given->contains("trajectories"),
+             has_size = given && given->contains("trajectories_MB");
+  if (has_size && !has_rocks) output.stored_limit.reset();
+  if (has_rocks && !has_size) output.trajectories_MB.reset();
+}
+
 /// Sets what seeders of a type have unless the project gives it: one rock for each row of a table; and the slopes of an
 /// area face in many directions, so its rocks start down them.
 void complete_seeders(const Document& document, Project& project) {
@@ -150,6 +159,7 @@ Reading read_project_text(std::string_view text, const std::filesystem::path& fi
     problems.add(about_option(fmt::format("--seed {}", *overrides.seed), "this is not a seed",
                               fmt::format("expected 0 to {}", most_seed)));
   }
+  complete_store(document, project.output);
   complete_seeders(document, project);
   if (overrides.rocks && project.seeders.size() > 1) refuse_rocks_per_place(project, *overrides.rocks, problems);
   if (!problems.has_errors()) complete(project);

@@ -20,13 +20,17 @@ double MapTally::maximum(MapQuantity quantity) const {
 
 double MapTally::mean(MapQuantity quantity) const {
   const auto place = tile_->contents_.place(quantity);
-  TALUS_PROMISE(place, "only gathered quantities can be asked for");
+  TALUS_PROMISE(place && tile_->contents_.has_means(), "only gathered quantities can be asked for");
   return tile_->sums_[number_ * tile_->contents_.quantities() + *place].value() / static_cast<double>(passages());
 }
 
 void MapTally::percentiles(MapQuantity quantity, std::span<const double> percents, std::span<double> out) const {
   const auto which = tile_->contents_.place_of_percentiles(quantity);
   TALUS_PROMISE(which, "only gathered quantities can be asked for");
+  if (passages() == 1) {
+    std::ranges::fill(out, maximum(quantity));
+    return;
+  }
   constexpr std::size_t at_once = 16;
   std::array<double, at_once> probabilities;
   const double maximum_value = maximum(quantity);
@@ -46,7 +50,7 @@ bool operator==(const MapTally& a, const MapTally& b) {
   for (std::size_t k = 0; k < quantities; ++k) {
     const std::size_t at_left = a.number_ * quantities + k, at_right = b.number_ * quantities + k;
     if (left.maxima_[at_left] != right.maxima_[at_right]) return false;
-    if (!(left.sums_[at_left] == right.sums_[at_right])) return false;
+    if (left.contents_.has_means() && !(left.sums_[at_left] == right.sums_[at_right])) return false;
   }
   if (left.contents_.with_percentiles() == 0) return true;
   return BinCounts::are_same(left.bins_, a.number_, right.bins_, b.number_);
@@ -61,31 +65,43 @@ std::uint32_t MapTile::number_at(std::uint32_t place) {
     if (cells == counts_.capacity()) {
       counts_.reserve(room);
       maxima_.reserve(room * contents_.quantities());
-      sums_.reserve(room * contents_.quantities());
+      if (contents_.has_means()) sums_.reserve(room * contents_.quantities());
     }
     counts_.emplace_back();
     maxima_.resize(maxima_.size() + contents_.quantities());
-    sums_.resize(sums_.size() + contents_.quantities());
+    if (contents_.has_means()) sums_.resize(sums_.size() + contents_.quantities());
     if (contents_.with_percentiles() > 0) bins_.new_place();
     there = static_cast<std::uint16_t>(counts_.size());
   }
   return there - 1U;
 }
 
-template <std::uint32_t quantities>
+void MapTile::put_only_rock_in_bins(std::uint32_t number) {
+  if (contents_.with_percentiles() == 0) return;
+  BinCounts::Adder bins = bins_.at(number);
+  for (std::uint32_t k = 0; k < contents_.quantities(); ++k) {
+    const auto which = contents_.place_of_percentiles(contents_.quantity(k));
+    if (which) bins.add(*which, maxima_[std::size_t{number} * contents_.quantities() + k]);
+  }
+}
+
+template <std::uint32_t quantities, bool has_means>
 void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
   static_assert(map_quantity_count == 4 && map_quantity_count <= BinCounts::most_quantities);
   Counts& counts = counts_[number];
+  const std::uint64_t before = counts.passages;
+  if (before == 1) put_only_rock_in_bins(number);
   counts.passages += visits.size();
   std::array<float, quantities> maxima{};
   std::array<std::uint64_t, quantities> units{};
-  FixedSum* const sums = sums_.data() + std::size_t{number} * quantities;
+  FixedSum* const sums = has_means ? sums_.data() + std::size_t{number} * quantities : nullptr;
   for (const PackedVisit& visit : visits) {
     counts.deposits += visit.is_deposit() ? 1 : 0;
     counts.impacts += visit.impacts();
     for (std::uint32_t k = 0; k < quantities; ++k) {
       const float value = visit.value(k);
       maxima[k] = std::max(maxima[k], value);
+      if constexpr (!has_means) continue;
       if (value < FixedSum::small_term) {
         units[k] += FixedSum::units_of(value);
       } else {
@@ -96,9 +112,9 @@ void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
   for (std::uint32_t k = 0; k < quantities; ++k) {
     float& known = maxima_[std::size_t{number} * quantities + k];
     known = std::max(known, maxima[k]);
-    sums[k].add_units(units[k]);
+    if constexpr (has_means) sums[k].add_units(units[k]);
   }
-  if (contents_.with_percentiles() == 0) return;
+  if (contents_.with_percentiles() == 0 || counts.passages == 1) return;
   BinCounts::Adder bins = bins_.at(number);
   for (std::uint32_t k = 0; k < quantities; ++k) {
     const auto which = contents_.place_of_percentiles(contents_.quantity(k));
@@ -107,20 +123,25 @@ void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
   }
 }
 
+template <bool has_means>
 void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
   static_assert(map_quantity_count == 4 && map_quantity_count <= BinCounts::most_quantities);
   switch (contents_.quantities()) {
     case 0:
-      return add<0>(number, visits);
+      return add<0, has_means>(number, visits);
     case 1:
-      return add<1>(number, visits);
+      return add<1, has_means>(number, visits);
     case 2:
-      return add<2>(number, visits);
+      return add<2, has_means>(number, visits);
     case 3:
-      return add<3>(number, visits);
+      return add<3, has_means>(number, visits);
     default:
-      return add<4>(number, visits);
+      return add<4, has_means>(number, visits);
   }
+}
+
+void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
+  return contents_.has_means() ? add<true>(number, visits) : add<false>(number, visits);
 }
 
 /// Cell by cell, so that the data of a cell are fetched once: half the time of the order of arrival.
@@ -154,19 +175,31 @@ void MapTile::add_waiting() {
   bins_.settle_if_due();
 }
 
+void MapTile::add_maxima(std::uint32_t number, std::span<const float> maxima, bool are_of_one_rock) {
+  std::optional<BinCounts::Adder> bins;
+  if (are_of_one_rock && contents_.with_percentiles() > 0) bins.emplace(bins_.at(number));
+  for (std::uint32_t k = 0; k < maxima.size(); ++k) {
+    float& known = maxima_[std::size_t{number} * contents_.quantities() + k];
+    known = std::max(known, maxima[k]);
+    const auto which = contents_.place_of_percentiles(contents_.quantity(k));
+    if (bins && which) bins->add(*which, maxima[k]);
+  }
+}
+
 void MapTile::merge(const MapTile& other) {
   TALUS_PROMISE(contents_ == other.contents_, "only tiles with the same contents can be merged");
   const std::size_t quantities = contents_.quantities();
   for (std::uint32_t place = 0; place < map_tiles::cells; ++place) {
     if (other.places_[place] == 0) continue;
     const std::uint32_t from = other.places_[place] - 1U, to = number_at(place);
-    counts_[to].passages += other.counts_[from].passages;
+    const std::uint64_t before = counts_[to].passages, added = other.counts_[from].passages;
+    if (before == 1) put_only_rock_in_bins(to);
+    counts_[to].passages += added;
     counts_[to].deposits += other.counts_[from].deposits;
     counts_[to].impacts += other.counts_[from].impacts;
-    for (std::size_t k = 0; k < quantities; ++k) {
-      float& known = maxima_[to * quantities + k];
-      known = std::max(known, other.maxima_[from * quantities + k]);
-      sums_[to * quantities + k].merge(other.sums_[from * quantities + k]);
+    add_maxima(to, std::span(other.maxima_).subspan(from * quantities, quantities), before > 0 && added == 1);
+    if (contents_.has_means()) {
+      for (std::size_t k = 0; k < quantities; ++k) sums_[to * quantities + k].merge(other.sums_[from * quantities + k]);
     }
     if (contents_.with_percentiles() > 0) bins_.merge(to, other.bins_, from);
   }
@@ -185,7 +218,7 @@ void MapTile::save(ByteWriter& out) const {
     out.put(counts_[number].impacts);
     for (std::size_t k = 0; k < quantities; ++k) {
       out.put(maxima_[number * quantities + k]);
-      sums_[number * quantities + k].save(out);
+      if (contents_.has_means()) sums_[number * quantities + k].save(out);
     }
     if (contents_.with_percentiles() > 0) bins_.save(number, out);
   }
@@ -205,19 +238,22 @@ void MapTile::merge_saved(ByteReader& in, std::uint64_t rocks) {
     const auto passages = in.get<std::uint64_t>(), deposits = in.get<std::uint64_t>();
     expect_bytes(passages > 0 && deposits <= passages, damaged);
     Counts& counts = counts_[number];
+    const std::uint64_t known = counts.passages;
+    if (known == 1) put_only_rock_in_bins(number);
     counts.passages += passages;
     counts.deposits += deposits;
     counts.impacts += in.get<std::uint64_t>();
     expect_bytes(counts.passages <= rocks, damaged);
+    std::array<float, map_quantity_count> maxima{};
     for (std::size_t k = 0; k < quantities; ++k) {
-      const auto maximum_value = in.get<float>();
-      expect_bytes(maximum_value >= 0 && std::isfinite(maximum_value), damaged);
-      float& known = maxima_[number * quantities + k];
-      known = std::max(known, maximum_value);
-      sums_[number * quantities + k].merge_saved(in);
+      maxima[k] = in.get<float>();
+      expect_bytes(maxima[k] >= 0 && std::isfinite(maxima[k]), damaged);
+      if (contents_.has_means()) sums_[number * quantities + k].merge_saved(in);
     }
+    add_maxima(number, std::span(maxima).first(quantities), known > 0 && passages == 1);
     if (contents_.with_percentiles() == 0) continue;
-    for (const std::uint64_t values : bins_.merge_saved(number, in)) expect_bytes(values <= passages, damaged);
+    const std::uint64_t most = passages == 1 ? 0 : passages;
+    for (const std::uint64_t values : bins_.merge_saved(number, in)) expect_bytes(values <= most, damaged);
   }
 }
 

@@ -24,7 +24,8 @@ class MapTally {
   [[nodiscard]] std::uint64_t impacts() const;
   [[nodiscard]] double maximum(MapQuantity quantity) const;
   [[nodiscard]] double mean(MapQuantity quantity) const;
-  /// Percentiles of a quantity, `percents` in [0, 100], within 1 %; below 0.001 they may be given as 0.
+  /// Percentiles of a quantity, `percents` in [0, 100], within 1 %; below 0.001 they may be given as 0. Those of a
+  /// single rock are exact.
   void percentiles(MapQuantity quantity, std::span<const double> percents, std::span<double> out) const;
   [[nodiscard]] double percentile(MapQuantity quantity, double percent) const {
     double value = 0;
@@ -40,8 +41,8 @@ class MapTally {
   std::uint32_t number_;
 };
 
-/// A tile takes 2 KB, a touched cell 30 bytes plus 20 for every quantity, and for percentiles 30 to 80 more for each
-/// quantity at a few hundred rocks a cell.
+/// A tile takes 2 KB, a touched cell 30 bytes plus 4 for every quantity and 16 for its mean, and for percentiles 30 to
+/// 80 more for each quantity at a few hundred rocks a cell.
 class MapTile {
  public:
   MapTile(MapCell first, const MapContents& contents)
@@ -87,7 +88,14 @@ class MapTile {
 
   /// The number of a touched cell, added if it is new.
   std::uint32_t number_at(std::uint32_t place);
-  template <std::uint32_t quantities>
+  /// Must be called before a second rock is added to a cell. (The values of a single one are its maxima: they are in no
+  /// bin, which saves most of the memory and time where few rocks come.)
+  void put_only_rock_in_bins(std::uint32_t number);
+  /// Raises the maxima of a cell by those of other rocks, or of one rock, which also goes into the bins.
+  void add_maxima(std::uint32_t number, std::span<const float> maxima, bool are_of_one_rock);
+  template <std::uint32_t quantities, bool has_means>
+  void add(std::uint32_t number, std::span<const PackedVisit> visits);
+  template <bool has_means>
   void add(std::uint32_t number, std::span<const PackedVisit> visits);
   void add(std::uint32_t number, std::span<const PackedVisit> visits);
 
@@ -97,7 +105,7 @@ class MapTile {
   // By the number of the cell, and within it by the place of the quantity among those gathered.
   std::vector<Counts> counts_;
   std::vector<float> maxima_;
-  std::vector<FixedSum> sums_;
+  std::vector<FixedSum> sums_;  // empty without means
   BinCounts bins_;
   std::vector<VisitRun> waiting_;
 };

@@ -6,7 +6,8 @@
 
 namespace talus {
 
-MapContents::MapContents(const Choice& gathered, const Choice& with_percentiles) {
+MapContents::MapContents(const Choice& gathered, const Choice& with_percentiles, bool has_means)
+    : has_means_(has_means) {
   for (std::uint32_t k = 0; k < map_quantity_count; ++k) {
     TALUS_PROMISE(gathered[k] || !with_percentiles[k], "percentiles need a gathered quantity");
     if (!gathered[k]) continue;

@@ -15,18 +15,19 @@
 
 namespace talus {
 
-/// Which quantities are gathered, and for which of them percentiles: others take no time and no memory.
+/// Which quantities are gathered, for which of them percentiles, and whether means: others take no time and no memory.
 class MapContents {
  public:
   using Choice = std::array<bool, map_quantity_count>;  // by MapQuantity
   /// Everything.
-  MapContents() : MapContents(all(), all()) {}
+  MapContents() : MapContents(all(), all(), true) {}
   /// Expects percentiles of gathered quantities only.
-  MapContents(const Choice& gathered, const Choice& with_percentiles);
+  MapContents(const Choice& gathered, const Choice& with_percentiles, bool has_means = true);
 
   /// The gathered quantities, in the order of MapQuantity.
   [[nodiscard]] std::uint32_t quantities() const { return quantities_; }
   [[nodiscard]] std::uint32_t with_percentiles() const { return with_percentiles_; }
+  [[nodiscard]] bool has_means() const { return has_means_; }
   [[nodiscard]] MapQuantity quantity(std::uint32_t place) const { return list_[place]; }
   /// The place of a quantity among the gathered ones, and among those with percentiles; nullopt if it is not one of
   /// them.
@@ -44,6 +45,7 @@ class MapContents {
   }
   static std::size_t index(MapQuantity quantity) { return static_cast<std::size_t>(quantity); }
   std::uint32_t quantities_ = 0, with_percentiles_ = 0;
+  bool has_means_ = true;
   std::array<MapQuantity, map_quantity_count> list_{};
   std::array<std::optional<std::uint32_t>, map_quantity_count> place_, place_of_percentiles_;
 };

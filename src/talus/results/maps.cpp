@@ -79,6 +79,7 @@ void Maps::save(ByteWriter& out) const {
   }
   out.put(contents_.quantities());
   out.put(contents_.with_percentiles());
+  out.flag(contents_.has_means());
   out.count(tiles_.size());
   for (const Tile* tile : tiles()) {
     out.put(tile->first().row);
@@ -95,7 +96,9 @@ void Maps::merge_saved(ByteReader& in) {
     expect_bytes(x == lengths.x() && y == lengths.y(), "maps are on another grid");
   }
   const auto quantities = in.get<std::uint32_t>(), with_percentiles = in.get<std::uint32_t>();
-  expect_bytes(quantities == contents_.quantities() && with_percentiles == contents_.with_percentiles(),
+  const bool has_means = in.flag();
+  expect_bytes(quantities == contents_.quantities() && with_percentiles == contents_.with_percentiles() &&
+                   has_means == contents_.has_means(),
                "maps have other quantities");
   std::optional<std::pair<std::int32_t, std::int32_t>> before;
   for (std::size_t tiles = in.count(sizeof(MapCell) + sizeof(std::uint64_t)); tiles > 0; --tiles) {

@@ -102,6 +102,10 @@ std::optional<StoredRocks> write_store(const std::filesystem::path& folder, RunS
   return StoredRocks{rocks, share, rows, bytes};
 }
 
+StoreBudget budget_of_store(const RunDescription& description) {
+  return {*description.store_bytes, description.store_rocks};
+}
+
 /// How many ensembles have maps of their own.
 std::size_t ensembles_with_maps(const MapSelection& selection, const Model& model) {
   return selection.bands.any() ? model.ensembles.size() : 0;
@@ -110,7 +114,10 @@ std::size_t ensembles_with_maps(const MapSelection& selection, const Model& mode
 }  // namespace
 
 MapSelection map_selection(const Project& project, const Model& model) {
-  MapSelection selection{project.output.maps, project.output.percentiles};
+  const bool is_section = std::holds_alternative<Profile>(*model.surface);
+  const std::vector<double> usual = is_section ? std::vector<double>{50, 95, 99} : std::vector<double>{95};
+  MapSelection selection{project.output.maps, project.output.percentiles.value_or(usual)};
+  selection.means = is_section || project.output.means;
   if (!model.ensembles.empty()) selection.bands = project.output.bands & project.output.maps & banded_map_subjects;
   return selection;
 }
@@ -151,9 +158,11 @@ RunDescription plan_of(const Project& project, const Model& model) {
   if (project.design) description.design = design_plan(project, model);
   description.wants_geopackage = !is_section && project.output.geopackage_limit != 0;
   description.wants_report = project.output.report;
-  if (const auto& megabytes = project.output.trajectories_MB; megabytes != 0) {
+  const auto &megabytes = project.output.trajectories_MB, &stored = project.output.stored_limit;
+  if (megabytes != 0 && stored != 0) {
     constexpr std::uint64_t megabyte = 1'000'000;
     description.store_bytes = megabytes ? static_cast<std::uint64_t>(*megabytes) * megabyte : StoreObserver::no_limit;
+    if (stored) description.store_rocks = static_cast<std::uint64_t>(*stored);
   }
   return description;
 }
@@ -191,13 +200,13 @@ RunSums::RunSums(const RunDescription& description, const Project& project, cons
     : summary_(description.rocks, description.barriers, model.frame, model.runout_frame) {
   if (description.design) design_.emplace(*description.design, description.rocks);
   if (description.maps) maps_ = map_observer(project, model);
-  if (description.store_bytes) store_ = std::make_unique<StoreObserver>(*description.store_bytes, model);
+  if (description.store_bytes) store_ = std::make_unique<StoreObserver>(budget_of_store(description), model);
 }
 
 RunSums::RunSums(const RunDescription& description)
     : summary_(description.rocks, description.barriers, {origin_of(description)}) {
   if (description.design) design_.emplace(*description.design, description.rocks);
-  if (description.store_bytes) store_ = std::make_unique<StoreObserver>(*description.store_bytes);
+  if (description.store_bytes) store_ = std::make_unique<StoreObserver>(budget_of_store(description));
   if (!description.maps) return;
   const MapGrid grid(description.maps->origin, description.maps->cell, {});
   const MapSelection& selection = description.maps->selection;

@@ -54,7 +54,7 @@ class StoreObserver::Part : public ObserverPart {
   std::string path_;
 };
 
-StoreObserver::StoreObserver(std::uint64_t budget, const Model& model)
+StoreObserver::StoreObserver(const StoreBudget& budget, const Model& model)
     : budget_(budget), facts_(StoreFacts::of(model)) {}
 
 std::uint64_t StoreObserver::place_of(std::uint64_t rock) const { return place_in_choice(facts_->seed, rock); }
@@ -74,7 +74,7 @@ void StoreObserver::commit(ObserverPart& part) {
     next += rock.size();
     add(rock);
   }
-  if (static_cast<double>(cost_) > (1 + most_excess) * static_cast<double>(budget_)) settle();
+  if (exceeds_budget(most_excess)) settle();
 }
 
 void StoreObserver::add(const StoredRock& rock) {
@@ -94,16 +94,23 @@ void StoreObserver::drop_from(std::uint64_t place) {
   }
 }
 
+bool StoreObserver::exceeds_budget(double share) const {
+  const auto exceeds = [share](std::uint64_t size, std::uint64_t most) {
+    return static_cast<double>(size) > (1 + share) * static_cast<double>(most);
+  };
+  return exceeds(cost_, budget_.bytes) || exceeds(rocks_.size(), budget_.rocks);
+}
+
 void StoreObserver::settle() {
-  if (cost_ <= budget_) return;
+  if (!exceeds_budget(0)) return;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> costs;  // by place
   costs.reserve(rocks_.size());
   for (const StoredRock& rock : rocks_) costs.emplace_back(place_of(rock.rock), cost_of(rock));
   std::ranges::sort(costs);
-  std::uint64_t total = 0;
+  std::uint64_t total = 0, rocks = 0;
   for (const auto& [place, cost] : costs) {
     total += cost;
-    if (total > budget_) return drop_from(place);
+    if (total > budget_.bytes || ++rocks > budget_.rocks) return drop_from(place);
   }
 }
 

@@ -16,16 +16,22 @@
 
 namespace talus {
 
+/// What a store may have at most.
+struct StoreBudget {
+  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t bytes = no_limit, rocks = no_limit;  // bytes: of the file, about
+};
+
 /// The rocks that are kept are the first in the order of place_in_choice() that fit into the budget together. That
 /// depends on the rocks alone, not on the order in which they come, or how they are divided among processes.
 class StoreObserver : public SummingObserver {
  public:
-  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+  static constexpr std::uint64_t no_limit = StoreBudget::no_limit;
 
-  /// `budget`: of the file [bytes], about. To observe the rocks of a model.
-  StoreObserver(std::uint64_t budget, const Model& model);
+  /// To observe the rocks of a model.
+  StoreObserver(const StoreBudget& budget, const Model& model);
   /// To merge saved content, without observing rocks.
-  explicit StoreObserver(std::uint64_t budget) : budget_(budget) {}
+  explicit StoreObserver(const StoreBudget& budget) : budget_(budget) {}
 
   [[nodiscard]] bool wants_rows(std::uint64_t rock) const override { return is_wanted(rock); }
   [[nodiscard]] bool wants_pieces() const override { return true; }
@@ -45,11 +51,13 @@ class StoreObserver : public SummingObserver {
   void add(const StoredRock& rock);
   /// Removes rocks from this place on.
   void drop_from(std::uint64_t place);
-  /// Brings the total within the budget.
+  /// Whether the rocks exceed the budget by more than a share of it.
+  [[nodiscard]] bool exceeds_budget(double share) const;
+  /// Brings the rocks within the budget.
   void settle();
   [[nodiscard]] std::vector<StoredRock> in_order() const;
 
-  std::uint64_t budget_;
+  StoreBudget budget_;
   std::optional<StoreFacts> facts_;
   std::vector<StoredRock> rocks_;  // in the order in which they came
   ByteBlocks bytes_;               // theirs
