@@ -5,7 +5,7 @@ PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-d
   libcpp-httplib-dev libqhull-dev libssl-dev python3-dev python3-numpy pybind11-dev
 TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin clang-14 python3 chromium poppler-utils esbuild node-d3 \
   python3-pytest python3-pandas python3-matplotlib python3-xarray python3-nbclient python3-ipykernel python3-rasterio \
-  python3-geopandas
+  python3-geopandas valgrind
 
 QGIS_PACKAGES := qgis python3-qgis qgis-providers xvfb xauth
 DOCS_PACKAGES := python3-sphinx python3-myst-parser furo node-normalize.css
