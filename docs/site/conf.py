@@ -21,7 +21,7 @@ version = release = re.search(r"project\(talus VERSION (\S+)", (root / "CMakeLis
 
 extensions = ["myst_parser"]
 root_doc = "README"
-pages_beside_docs = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"]
+pages_beside_docs = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "EXTENDING.md", "CHANGELOG.md"]
 include_patterns = ["docs/**.md", *pages_beside_docs]
 # Without these Sphinx would walk through builds and node_modules.
 exclude_patterns = [name for name in os.listdir(root) if name not in ["docs", *pages_beside_docs]]
