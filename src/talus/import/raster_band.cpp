@@ -5,10 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <bitset>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <new>
 #include <utility>
@@ -184,13 +181,7 @@ class BandReader {
       std::uint64_t cells = 0, borders = 0, walls = 0;
     };
     const std::vector<float> values = doubtful_values(extremes);
-    // Nearly all nodes have another value, which a bit of its own tells without a search.
-    constexpr std::uint32_t bits = 12;
-    const auto bit_of = [](float z) { return std::bit_cast<std::uint32_t>(z + 0.0F) * 0x9E3779B1U >> (32 - bits); };
-    std::bitset<1U << bits> has_one;
-    for (const float z : values) has_one.set(bit_of(z));
     const auto place_of = [&](float z) {
-      if (!has_one[bit_of(z)]) return values.size();
       const auto at = std::ranges::lower_bound(values, z);
       return at != values.end() && *at == z ? static_cast<std::size_t>(at - values.begin()) : values.size();
     };
