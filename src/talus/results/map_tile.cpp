@@ -76,21 +76,32 @@ std::uint32_t MapTile::number_at(std::uint32_t place) {
   return there - 1U;
 }
 
-void MapTile::put_only_rock_in_bins(std::uint32_t number) {
+std::span<float> MapTile::maxima_of(std::uint32_t number) {
+  return std::span(maxima_).subspan(std::size_t{number} * contents_.quantities(), contents_.quantities());
+}
+
+void MapTile::put_in_bins(std::uint32_t number, std::span<const float> values) {
   if (contents_.with_percentiles() == 0) return;
   BinCounts::Adder bins = bins_.at(number);
-  for (std::uint32_t k = 0; k < contents_.quantities(); ++k) {
+  for (std::uint32_t k = 0; k < values.size(); ++k) {
     const auto which = contents_.place_of_percentiles(contents_.quantity(k));
-    if (which) bins.add(*which, maxima_[std::size_t{number} * contents_.quantities() + k]);
+    if (which) bins.add(*which, values[k]);
   }
+}
+
+void MapTile::add_rocks(std::uint32_t number, std::uint64_t passages, std::span<const float> maxima) {
+  Counts& counts = counts_[number];
+  const std::span<float> known = maxima_of(number);
+  if (counts.passages == 1) put_in_bins(number, known);
+  if (counts.passages > 0 && passages == 1) put_in_bins(number, maxima);
+  counts.passages += passages;
+  for (std::size_t k = 0; k < maxima.size(); ++k) known[k] = std::max(known[k], maxima[k]);
 }
 
 template <std::uint32_t quantities, bool has_means>
 void MapTile::add(std::uint32_t number, std::span<const PackedVisit> visits) {
-  static_assert(map_quantity_count == 4 && map_quantity_count <= BinCounts::most_quantities);
   Counts& counts = counts_[number];
-  const std::uint64_t before = counts.passages;
-  if (before == 1) put_only_rock_in_bins(number);
+  if (counts.passages == 1) put_in_bins(number, maxima_of(number));
   counts.passages += visits.size();
   std::array<float, quantities> maxima{};
   std::array<std::uint64_t, quantities> units{};
@@ -175,29 +186,15 @@ void MapTile::add_waiting() {
   bins_.settle_if_due();
 }
 
-void MapTile::add_maxima(std::uint32_t number, std::span<const float> maxima, bool are_of_one_rock) {
-  std::optional<BinCounts::Adder> bins;
-  if (are_of_one_rock && contents_.with_percentiles() > 0) bins.emplace(bins_.at(number));
-  for (std::uint32_t k = 0; k < maxima.size(); ++k) {
-    float& known = maxima_[std::size_t{number} * contents_.quantities() + k];
-    known = std::max(known, maxima[k]);
-    const auto which = contents_.place_of_percentiles(contents_.quantity(k));
-    if (bins && which) bins->add(*which, maxima[k]);
-  }
-}
-
 void MapTile::merge(const MapTile& other) {
   TALUS_PROMISE(contents_ == other.contents_, "only tiles with the same contents can be merged");
   const std::size_t quantities = contents_.quantities();
   for (std::uint32_t place = 0; place < map_tiles::cells; ++place) {
     if (other.places_[place] == 0) continue;
     const std::uint32_t from = other.places_[place] - 1U, to = number_at(place);
-    const std::uint64_t before = counts_[to].passages, added = other.counts_[from].passages;
-    if (before == 1) put_only_rock_in_bins(to);
-    counts_[to].passages += added;
     counts_[to].deposits += other.counts_[from].deposits;
     counts_[to].impacts += other.counts_[from].impacts;
-    add_maxima(to, std::span(other.maxima_).subspan(from * quantities, quantities), before > 0 && added == 1);
+    add_rocks(to, other.counts_[from].passages, std::span(other.maxima_).subspan(from * quantities, quantities));
     if (contents_.has_means()) {
       for (std::size_t k = 0; k < quantities; ++k) sums_[to * quantities + k].merge(other.sums_[from * quantities + k]);
     }
@@ -238,22 +235,19 @@ void MapTile::merge_saved(ByteReader& in, std::uint64_t rocks) {
     const auto passages = in.get<std::uint64_t>(), deposits = in.get<std::uint64_t>();
     expect_bytes(passages > 0 && deposits <= passages, damaged);
     Counts& counts = counts_[number];
-    const std::uint64_t known = counts.passages;
-    if (known == 1) put_only_rock_in_bins(number);
-    counts.passages += passages;
     counts.deposits += deposits;
     counts.impacts += in.get<std::uint64_t>();
-    expect_bytes(counts.passages <= rocks, damaged);
     std::array<float, map_quantity_count> maxima{};
     for (std::size_t k = 0; k < quantities; ++k) {
       maxima[k] = in.get<float>();
       expect_bytes(maxima[k] >= 0 && std::isfinite(maxima[k]), damaged);
       if (contents_.has_means()) sums_[number * quantities + k].merge_saved(in);
     }
-    add_maxima(number, std::span(maxima).first(quantities), known > 0 && passages == 1);
+    add_rocks(number, passages, std::span(maxima).first(quantities));
+    expect_bytes(counts.passages <= rocks, damaged);
     if (contents_.with_percentiles() == 0) continue;
-    const std::uint64_t most = passages == 1 ? 0 : passages;
-    for (const std::uint64_t values : bins_.merge_saved(number, in)) expect_bytes(values <= most, damaged);
+    const std::uint64_t max_in_bins = passages == 1 ? 0 : passages;
+    for (const std::uint64_t values : bins_.merge_saved(number, in)) expect_bytes(values <= max_in_bins, damaged);
   }
 }
 

@@ -88,11 +88,12 @@ class MapTile {
 
   /// The number of a touched cell, added if it is new.
   std::uint32_t number_at(std::uint32_t place);
-  /// Must be called before a second rock is added to a cell. (The values of a single one are its maxima: they are in no
-  /// bin, which saves most of the memory and time where few rocks come.)
-  void put_only_rock_in_bins(std::uint32_t number);
-  /// Raises the maxima of a cell by those of other rocks, or of one rock, which also goes into the bins.
-  void add_maxima(std::uint32_t number, std::span<const float> maxima, bool are_of_one_rock);
+  [[nodiscard]] std::span<float> maxima_of(std::uint32_t number);
+  /// Puts the values of one rock into the bins of a cell. Those of its only rock are its maxima and in no bin, until a
+  /// second rock comes: that saves most of the memory and time where few rocks come.
+  void put_in_bins(std::uint32_t number, std::span<const float> values);
+  /// Adds rocks with these maxima to a cell. The values of two or more of them are in bins that the caller merges.
+  void add_rocks(std::uint32_t number, std::uint64_t passages, std::span<const float> maxima);
   template <std::uint32_t quantities, bool has_means>
   void add(std::uint32_t number, std::span<const PackedVisit> visits);
   template <bool has_means>

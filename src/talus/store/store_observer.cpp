@@ -95,8 +95,8 @@ void StoreObserver::drop_from(std::uint64_t place) {
 }
 
 bool StoreObserver::exceeds_budget(double share) const {
-  const auto exceeds = [share](std::uint64_t size, std::uint64_t most) {
-    return static_cast<double>(size) > (1 + share) * static_cast<double>(most);
+  const auto exceeds = [share](std::uint64_t size, std::uint64_t limit) {
+    return static_cast<double>(size) > (1 + share) * static_cast<double>(limit);
   };
   return exceeds(cost_, budget_.bytes) || exceeds(rocks_.size(), budget_.rocks);
 }
