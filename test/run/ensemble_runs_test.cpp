@@ -189,12 +189,14 @@ TEST(EnsembleMaps, AreThoseOfTheBandsAlone) {
   std::vector<std::string> names;
   for (const MapFile& map : maps_of_run(work / "out")) names.push_back(map.name);
   EXPECT_THAT(names, ::testing::Contains("reach_share_low"));
-  run_with_ensembles(
-      loaded_run(work, {"output.bands=[\"velocity\"]", "output.maps=[\"velocity\"]", "output.percentiles=[]"}),
-      work / "out");
+  run_with_ensembles(loaded_run(work, {"output.bands=[\"velocity\"]", "output.maps=[\"velocity\"]",
+                                       "output.percentiles=[]", "output.means=true"}),
+                     work / "out");
   names.clear();
   for (const MapFile& map : maps_of_run(work / "out")) names.push_back(map.name);
-  EXPECT_THAT(names, ::testing::ElementsAre("velocity_max_m_s", "velocity_max_low_m_s", "velocity_max_high_m_s"));
+  EXPECT_THAT(names,
+              ::testing::ElementsAre("velocity_max_m_s", "velocity_mean_m_s", "velocity_max_low_m_s",
+                                     "velocity_max_high_m_s", "velocity_mean_low_m_s", "velocity_mean_high_m_s"));
   EXPECT_FALSE(fs::exists(work / "out/maps/reach_share_low.tif")) << "of an earlier run";
 }
 

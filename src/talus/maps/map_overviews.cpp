@@ -14,8 +14,9 @@ namespace talus {
 
 namespace {
 
-constexpr int largest_without = 2048;  // side of a map that is drawn at any scale as fast as one with overviews
-constexpr int largest_side = 256;      // of the last overview, and of the blocks that are processed
+constexpr int largest_side = 256;  // of the last overview, and of the blocks that are processed
+constexpr int largest_without =
+    8 * largest_side;  // of a map without overviews: 64 blocks at most are read for any view
 
 bool has_data(GDALRasterBand& band, int x, int y, int columns, int rows) {
   return (band.GetDataCoverageStatus(x, y, columns, rows, 0, nullptr) & GDAL_DATA_COVERAGE_STATUS_DATA) != 0;

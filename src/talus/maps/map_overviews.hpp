@@ -7,7 +7,7 @@
 
 namespace talus {
 
-/// Whether a map of this size is drawn faster with overviews at small scales.
+/// Whether a map has overviews: above 2,048 cells a side.
 [[nodiscard]] bool wants_overviews(int columns, int rows);
 
 /// Adds overviews to a GeoTIFF that is being made, each half as wide and high as the one before, until both sides have
