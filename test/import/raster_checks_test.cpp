@@ -55,6 +55,17 @@ TEST_F(RasterChecks, WarnsOfMetresThatAreSlightlyOff) {
             "along y is 0.983 m). Project it: gdalwarp -t_srs EPSG:32635 -r bilinear dem.tif dem_metres.tif");
 }
 
+TEST_F(RasterChecks, KnowsPlacesInGradsAndFromOtherMeridiansThanGreenwich) {
+  RasterSpec spec;
+  spec.crs = "EPSG:27572";  // NTF (Paris) / Lambert zone II
+  spec.geotransform = {600000, 10, 0, 2428000, 0, -10};
+  static_cast<void>(read(spec));
+  spec.crs = "EPSG:31282";  // MGI (Ferro) / Austria Central Zone
+  spec.geotransform = {0, 10, 0, 5300000, 0, -10};
+  static_cast<void>(read(spec));
+  EXPECT_EQ(warnings(), "");
+}
+
 TEST_F(RasterChecks, RefusesARotatedGrid) {
   RasterSpec spec;
   spec.geotransform = {400000, 10, 1, 300000, 1, -10};

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "talus/files/output_file.hpp"
+#include "talus/gdal/raster_crs.hpp"
 
 namespace talus {
 
@@ -34,8 +35,9 @@ GeoPackageFile::GeoPackageFile(std::filesystem::path path, const std::string& cr
     refuse(path_, "the GDAL library of this machine has no driver GPKG",
            "Install GDAL with its usual drivers, or set geopackage = \"none\"");
   }
-  crs_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (crs_wkt.empty() || crs_.importFromWkt(crs_wkt.c_str()) != OGRERR_NONE) {
+  if (const auto crs = crs_for_file(crs_wkt)) {
+    crs_ = *crs;
+  } else {
     crs_.SetLocalCS("Undefined Cartesian SRS");  // the format's number -1
   }
   messages_.clear();

@@ -22,36 +22,41 @@ namespace talus {
 
 namespace {
 
-using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
-
 // With easting or longitude first, as in rasters, whatever the order of axes in the definition.
 OGRSpatialReference in_map_order(OGRSpatialReference crs) {
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   return crs;
 }
 
-OGRSpatialReference wgs84() {
-  OGRSpatialReference crs;
-  crs.importFromEPSG(4326);
-  return in_map_order(std::move(crs));
-}
+/// From places in a projected system to longitude and latitude on its own datum. (Other datums are less than a
+/// kilometre from it. To them PROJ has many ways, and finding the best one takes as long as reading the raster.)
+class ToDegrees {
+ public:
+  explicit ToDegrees(const OGRSpatialReference& crs) {
+    const std::unique_ptr<OGRSpatialReference> base(crs.CloneGeogCS());
+    if (!base) return;
+    const OGRSpatialReference from = in_map_order(crs), to = in_map_order(*base);
+    per_unit_ = to.GetAngularUnits() * 180 / std::numbers::pi;
+    prime_meridian_ = to.GetPrimeMeridian();
+    transformation_.reset(OGRCreateCoordinateTransformation(&from, &to));
+  }
+  [[nodiscard]] bool is_known() const { return transformation_ != nullptr; }
+  /// Longitude from Greenwich and latitude [degrees]; nullopt if the place has none.
+  [[nodiscard]] std::optional<Vec2> operator()(const Vec2& place) const {
+    double x = place.x(), y = place.y();
+    if (!transformation_->Transform(1, &x, &y) || !std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
+    return Vec2(x * per_unit_ + prime_meridian_, y * per_unit_);
+  }
 
-Transformation to_degrees(const OGRSpatialReference& crs) {
-  const OGRSpatialReference from = in_map_order(crs), to = wgs84();
-  return Transformation(OGRCreateCoordinateTransformation(&from, &to));
-}
-
-/// Longitude and latitude [degrees].
-std::optional<Vec2> degrees(OGRCoordinateTransformation& transformation, const Vec2& place) {
-  double x = place.x(), y = place.y();
-  if (!transformation.Transform(1, &x, &y) || !std::isfinite(x) || !std::isfinite(y)) return std::nullopt;
-  return Vec2(x, y);
-}
+ private:
+  std::unique_ptr<OGRCoordinateTransformation> transformation_;
+  double per_unit_ = 1, prime_meridian_ = 0;  // [degrees]
+};
 
 /// The EPSG code of the UTM zone of a place; nullopt if it has no longitude and latitude, or is too near a pole.
 std::optional<int> utm_epsg(const OGRSpatialReference& crs, const Vec2& centre) {
-  const Transformation transformation = to_degrees(crs);
-  const auto place = transformation ? degrees(*transformation, centre) : std::nullopt;
+  const ToDegrees degrees(crs);
+  const auto place = degrees.is_known() ? degrees(centre) : std::nullopt;
   if (!place || std::abs(place->y()) > 84 || std::abs(place->x()) > 360) return std::nullopt;
   const double longitude = std::remainder(place->x(), 360);
   const int zone = std::clamp(static_cast<int>(std::floor((longitude + 180) / 6)) + 1, 1, 60);
@@ -69,12 +74,12 @@ std::optional<std::array<double, 2>> ground_lengths(const OGRSpatialReference& c
   constexpr double step = 100;  // m
   // The curvature of the ellipsoid of WGS 84: EPSG Guidance Note 7-2, section 1.2.
   constexpr double a = 6378137, f = 1 / 298.257223563, e2 = f * (2 - f);
-  const Transformation transformation = to_degrees(crs);
-  if (!transformation) return std::nullopt;
+  const ToDegrees degrees(crs);
+  if (!degrees.is_known()) return std::nullopt;
   std::array<double, 2> lengths{};
   for (int axis = 0; axis < 2; ++axis) {
     const Vec2 half = 0.5 * step * (axis == 0 ? Vec2(1, 0) : Vec2(0, 1));
-    const auto from = degrees(*transformation, centre - half), to = degrees(*transformation, centre + half);
+    const auto from = degrees(centre - half), to = degrees(centre + half);
     if (!from || !to) return std::nullopt;
     const double latitude = 0.5 * (from->y() + to->y()) * std::numbers::pi / 180;
     const double w2 = 1 - e2 * std::sin(latitude) * std::sin(latitude);
@@ -119,11 +124,11 @@ bool check_scale(const OGRSpatialReference& crs, const Vec2& centre, RasterProbl
 
 /// How eastings that begin with the number of a zone, as in Germany's and Russia's, can be used: where the place
 /// without it lies within the area of the coordinate system. Empty if they do not.
-std::string hint_for_zone(const OGRSpatialReference& crs, const Vec2& centre, const Transformation& transformation) {
+std::string hint_for_zone(const OGRSpatialReference& crs, const Vec2& centre, const ToDegrees& degrees) {
   const auto zone = zone_in_easting(centre.x());
-  const auto exchanged = degrees(*transformation, Vec2(centre.y(), centre.x()));
+  const auto exchanged = degrees(Vec2(centre.y(), centre.x()));
   if (!zone || (exchanged && degrees_outside(crs, *exchanged) <= 3)) return "";
-  const auto without = degrees(*transformation, centre - Vec2(*zone * metres_per_zone, 0));
+  const auto without = degrees(centre - Vec2(*zone * metres_per_zone, 0));
   if (!without || degrees_outside(crs, *without) > 3) return "";
   return fmt::format("Its eastings seem to begin with the number of a zone, {}: ", *zone) + way_out_of_zone(*zone);
 }
@@ -132,11 +137,11 @@ std::string hint_for_zone(const OGRSpatialReference& crs, const Vec2& centre, co
 void check_place_on_earth(const OGRSpatialReference& crs, const Vec2& centre, RasterProblems& problems,
                           const CrsCommands& commands) {
   constexpr double doubtful = 3, refused = 20;  // degrees; some use a neighbouring UTM zone (6 degrees), but no other
-  const Transformation transformation = to_degrees(crs);
-  if (!transformation) return;
-  const auto place = degrees(*transformation, centre);
+  const ToDegrees degrees(crs);
+  if (!degrees.is_known()) return;
+  const auto place = degrees(centre);
   const std::string at = fmt::format("({:.10g}, {:.10g})", centre.x(), centre.y());
-  const std::string zone = hint_for_zone(crs, centre, transformation);
+  const std::string zone = hint_for_zone(crs, centre, degrees);
   const std::string hint =
       zone.empty() ? "Assign the right one, or put its coordinates in the order x, y: " + commands.name : zone;
   if (!place || std::abs(place->y()) > 90) {
@@ -254,6 +259,18 @@ std::string wkt_of(const OGRSpatialReference& crs) {
   std::string out = written ? wkt : "";
   CPLFree(wkt);
   return out;
+}
+
+std::optional<OGRSpatialReference> crs_for_file(const std::string& wkt) {
+  OGRSpatialReference crs;
+  if (wkt.empty() || crs.importFromWkt(wkt.c_str()) != OGRERR_NONE) return std::nullopt;
+  crs = in_map_order(std::move(crs));
+  const char *authority = crs.GetAuthorityName(nullptr), *code = crs.GetAuthorityCode(nullptr);
+  if (authority == nullptr || code == nullptr || std::string_view(authority) != "EPSG") return crs;
+  OGRSpatialReference numbered;
+  if (numbered.importFromEPSG(std::atoi(code)) != OGRERR_NONE) return crs;
+  numbered = in_map_order(std::move(numbered));
+  return numbered.IsSame(&crs) != 0 ? numbered : crs;
 }
 
 std::string name_of(const OGRSpatialReference& crs) {

@@ -41,6 +41,9 @@ bool refuse_files_in_crs(const OGRSpatialReference& crs, RasterProblems& problem
 
 /// As WKT 2 (ISO 19162:2019).
 [[nodiscard]] std::string wkt_of(const OGRSpatialReference& crs);
+/// The coordinate system of such a text, for a file, with easting first; nullopt if it is none. If it is one of EPSG's,
+/// its parts have EPSG's numbers, which the text leaves out: without them, GDAL searches for the name of the datum.
+[[nodiscard]] std::optional<OGRSpatialReference> crs_for_file(const std::string& wkt);
 
 /// Its common name: "EPSG:31287", or its own name if it has no code.
 [[nodiscard]] std::string name_of(const OGRSpatialReference& crs);

@@ -21,9 +21,8 @@
 #include "talus/maps/map_list.hpp"
 
 #ifdef TALUS_HAS_GDAL
-#include <ogr_spatialref.h>
-
 #include "talus/gdal/gdal_raster.hpp"
+#include "talus/gdal/raster_crs.hpp"
 #include "talus/maps/map_overviews.hpp"
 #endif
 
@@ -151,11 +150,7 @@ class MapRaster {
                                        0,
                                        -grid.cell().y()};
     raster_->SetGeoTransform(geotransform.data());
-    if (!crs_wkt.empty()) {
-      OGRSpatialReference crs;
-      crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-      if (crs.importFromWkt(crs_wkt.c_str()) == OGRERR_NONE) raster_->SetSpatialRef(&crs);
-    }
+    if (const auto crs = crs_for_file(crs_wkt)) raster_->SetSpatialRef(&*crs);
     GDALRasterBand& band = *raster_->GetRasterBand(1);
     band.SetNoDataValue(value_without_rock(kind));
     band.SetDescription(kind.meaning.c_str());
