@@ -182,7 +182,7 @@ TEST(ReadProject, FillsInDefaults) {
   EXPECT_EQ(project.seeders[0].line, 6);
   EXPECT_EQ(project.seeders[0].at_points.points, (std::vector<std::array<double, 3>>{{1, 0, 5}}));
   EXPECT_EQ(project.output.endpoint_limit, std::nullopt);
-  EXPECT_EQ(project.output.path_limit, 2000);
+  EXPECT_EQ(project.output.path_limit, 300);
 }
 
 TEST(ReadProject, NamesUnnamedBarriersAndCollectors) {

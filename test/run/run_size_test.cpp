@@ -104,11 +104,11 @@ TEST(RunSize, IsStatedBeforeMoreThanAGigabyte) {
   EXPECT_EQ(large_run_text(
                 {.endpoints_bytes = 1.7e8, .barriers_bytes = 1e6, .paths_bytes = 6.1e9, .processor_seconds = 260}, 2),
             "The results will take about 6.3 GB (paths.csv 6.1 GB), the run about 2 min on 2 threads if the disk "
-            "keeps up; less with output.paths = 2000");
+            "keeps up; less with output.paths = 300");
   EXPECT_EQ(
       large_run_text({.endpoints_bytes = 9e8, .barriers_bytes = 4e8, .paths_bytes = 3e8, .processor_seconds = 0.2}, 1),
       "The results will take about 1.6 GB (paths.csv 300 MB, endpoints.csv 900 MB, barriers.csv 400 MB), the run "
-      "about 1 s on 1 thread if the disk keeps up; less with output.paths = 2000 or output.endpoints = \"none\"");
+      "about 1 s on 1 thread if the disk keeps up; less with output.paths = 300 or output.endpoints = \"none\"");
   EXPECT_EQ(large_run_text({.endpoints_bytes = 1e8, .maps_bytes = 2.4e9, .processor_seconds = 90}, 1),
             "The results will take about 2.5 GB (maps 2.4 GB), the run about 90 s on 1 thread if the disk keeps up; "
             "less with fewer output.maps");

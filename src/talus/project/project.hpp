@@ -137,7 +137,7 @@ struct Barrier {
 struct Output {
   // Keys `endpoints`, `paths` and `impacts`: nullopt is "all", 0 is "none", else a number of rocks.
   std::optional<std::int64_t> endpoint_limit;
-  std::optional<std::int64_t> path_limit = 2000;
+  std::optional<std::int64_t> path_limit = 300;  // as many as a report shows
   std::optional<std::int64_t> impact_limit = 0;  // key `impacts`
   // Of the store, a sample unless one of the two is given; the other is "all" then.
   std::optional<std::int64_t> stored_limit = 10'000;  // key `trajectories`, as `paths`

@@ -63,7 +63,7 @@ horizontal_velocity_m_s = { mean = 1.5, distribution = "normal", std_dev = 0.15,
 # capacity_kJ = 500
 
 # [output]
-# paths = "all"         # the paths of all rocks, not only 2,000
+# paths = "all"         # the paths of all rocks, not only 300
 )";
 }
 

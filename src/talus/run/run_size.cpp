@@ -189,7 +189,7 @@ std::optional<std::string> large_run_text(const RunSize& size, int threads) {
   };
   std::string parts, smaller;
   for (const auto& [bytes, name, setting] :
-       {Part{size.paths_bytes, "paths.csv", "output.paths = 2000"},
+       {Part{size.paths_bytes, "paths.csv", "output.paths = 300"},
         Part{size.endpoints_bytes, "endpoints.csv", "output.endpoints = \"none\""},
         Part{size.impacts_bytes, "impacts.csv", "output.impacts = 100"}, Part{size.barriers_bytes, "barriers.csv", ""},
         Part{size.maps_bytes, "maps", "fewer output.maps"}}) {

@@ -33,7 +33,7 @@ const settingDefaults = {
   "collector": {"inclination_deg":0.0},
   "kit": {"residual_height":"unknown"},
   "design": {"section_m":10.0,"free_end_m":0.0,"pairs":false,"percentiles":[50.0,95.0,99.0],"confidence":0.95,"standard":"UNI 11211-4","energy_level":"MEL","energy":"translational","catch_share":0.95,"heights_m":[2.0,2.5,3.0,3.5,4.0,5.0,6.0,7.0,8.0,9.0,10.0],"energies_kJ":[100.0,250.0,500.0,1000.0,1500.0,2000.0,3000.0,4500.0],"cost_height_exponent":1.0,"cost_energy_exponent":0.5},
-  "output": {"endpoints":"all","paths":2000,"impacts":"none","trajectories":10000,"trajectories_MB":16,"maps":true,"maps_by_source":false,"bands":["reach_share"],"means":false,"geopackage":10000,"vtk":false,"report":true},
+  "output": {"endpoints":"all","paths":300,"impacts":"none","trajectories":10000,"trajectories_MB":16,"maps":true,"maps_by_source":false,"bands":["reach_share"],"means":false,"geopackage":10000,"vtk":false,"report":true},
   "report": {"paper":"A4","units":"metric"},
   "layer": {"colour":"#d95f02","opacity":1.0,"visible":true}
 };
