@@ -13,10 +13,8 @@ random walk, slowed by one friction angle; Talus simulates flights, impacts and 
 with random restitution, and gathers heights, energies and their percentiles in every cell.
 """
 
-import resource
 import shutil
 import statistics
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -24,6 +22,8 @@ from pathlib import Path
 import numpy as np
 import rasterio
 from rasterio.transform import from_origin
+
+from whole_process import hash_of_results, measured
 
 SIDE = 1025
 NUMBERS_OF_ROCKS = (1_000, 20_000)
@@ -79,15 +79,6 @@ def write_releases(dem: Path, file: Path) -> tuple[int, dict[str, float]]:
     return last + 1 - first, line
 
 
-def processor_s(command: list[str]) -> float:
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    if done.returncode != 0:
-        sys.exit(f"{' '.join(command)}\n{done.stdout}{done.stderr}")
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-
-
 def main() -> None:
     arguments = sys.argv[1:]
     rounds = int(arguments.pop(arguments.index("--rounds") + 1)) if "--rounds" in arguments else 3
@@ -105,17 +96,27 @@ def main() -> None:
         project = folder / "project.toml"
         project.write_text(PROJECT.format(**line))
         grids = [f"-{key}={folder / key}.sgrd" for key in ("PROCESS_AREA", "MAX_VELOCITY", "STOP_POSITIONS")]
-        print("| rocks | SAGA | Talus | Talus / SAGA | Talus, one thread | Talus without maps |")
-        print("| --- | --- | --- | --- | --- | --- |")
+        print("Seconds of processors; the last column is the time from start to exit on one thread over that on all.")
+        print("| rocks | SAGA | Talus | Talus / SAGA | without maps | us a further rock | threads | hash |")
+        print("| --- | --- | --- | --- | --- | --- | --- | --- |")
+        before = None
         for rocks in NUMBERS_OF_ROCKS:
             walks = max(1, round(rocks / cells))
+            count = walks * cells
             saga = ["saga_cmd", "sim_geomorphology", "0", f"-DEM={dem}", f"-RELEASE_AREAS={folder / 'release.tif'}", *grids]
             saga += [f"-GPP_ITERATIONS={walks}", "-FRICTION_MODEL=4", "-FRICTION_ANGLE=30", "-GPP_SEED=1"]
-            talus = [program, "run", str(project), "-q", "--rocks", str(walks * cells), "-o", str(folder / "out")]
-            commands = [saga, talus, [*talus, "--threads", "1"], [*talus, "--set", "output.maps=false"]]
-            times = [[processor_s(command) for command in commands] for _ in range(rounds)]
-            of_saga, of_talus, of_one, without = (statistics.median(column) for column in zip(*times))
-            print(f"| {walks * cells} | {of_saga:.2f} | {of_talus:.2f} | {of_talus / of_saga:.2f} | {of_one:.2f} | {without:.2f} |")
+            talus = [program, "run", str(project), "-q", "--rocks", str(count), "-o", str(folder / "out")]
+            commands = [saga, [*talus, "--set", "output.maps=false"], [*talus, "--threads", "1"], talus]
+            used = [[measured(command) for command in commands] for _ in range(rounds)]
+            of_saga, without, one, all_threads = ([each[k] for each in used] for k in range(4))
+            processor = [statistics.median(each.processor_s for each in runs) for runs in (of_saga, without, all_threads)]
+            speedup = statistics.median(a.seconds / b.seconds for a, b in zip(one, all_threads))
+            further = "" if before is None else f"{(processor[2] - before[1]) / (count - before[0]) * 1e6:.0f}"
+            before = (count, processor[2])
+            print(
+                f"| {count} | {processor[0]:.2f} | {processor[2]:.2f} | {processor[2] / processor[0]:.2f} | {processor[1]:.2f} "
+                f"| {further} | {speedup:.2f} | {hash_of_results(folder / 'out')} |"
+            )
 
 
 if __name__ == "__main__":
