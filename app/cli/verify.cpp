@@ -37,7 +37,7 @@ int verify(const VerifyOptions& options) {
     if (!file.empty()) (void)place_of_file(file);  // fails before the cases run, which takes minutes
   }
   if (!options.json.empty()) refuse_other_files(options.json, "{\n  \"passes\":", "comparison");
-  if (!options.page.empty()) refuse_other_files(options.page, "# Verification\n", "page");
+  if (!options.page.empty()) refuse_other_files(options.page, page_title, "page");
   const Files files = options.folder.empty() ? embedded_cases() : cases_in(options.folder);
   std::vector<Case> cases;
   for (const std::string& name : chosen_cases(files, options.cases)) cases.push_back(read_case(files, name));

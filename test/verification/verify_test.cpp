@@ -157,13 +157,18 @@ TEST(Show, JsonHasEveryNumber) {
   EXPECT_EQ(table["numbers"][14]["verdict"], "agrees");
 }
 
-// The numbers on the page require a run of all cases; this checks that its texts are those of the cases.
-TEST(VerificationPage, IsNotStale) {
-  std::ifstream stream(talus::places::in_source("/docs/verification.md"));
-  ASSERT_TRUE(stream) << "create it: talus verify --page docs/verification.md";
+std::string document(const std::string& name) {
+  std::ifstream stream(talus::places::in_source("/docs/" + name));
+  EXPECT_TRUE(stream) << name;
   std::ostringstream whole;
   whole << stream.rdbuf();
-  const std::string page_text = whole.str();
+  return whole.str();
+}
+
+// The numbers on the page require a run of all cases; this checks that its texts are those of the cases.
+TEST(VerificationPage, IsNotStale) {
+  const std::string page_text = document("verification-tables.md");
+  EXPECT_TRUE(page_text.starts_with(page_title)) << "create it: talus verify --page docs/verification-tables.md";
   const Files files = cases_of_the_repository();
   for (const std::string& name : case_names(files)) {
     const Case c = read_case(files, name);
@@ -172,6 +177,33 @@ TEST(VerificationPage, IsNotStale) {
     for (const Table& table : c.tables) EXPECT_THAT(page_text, HasSubstr(description(table)));
   }
   EXPECT_THAT(page_text, testing::Not(HasSubstr("DIFFERS")));
+}
+
+/// The row of a case in a table of the page, split into cells.
+std::vector<std::string> cells_of(const std::string& page_text, const std::string& name) {
+  std::vector<std::string> cells;
+  const std::size_t begin = page_text.find("\n| " + name + " |");
+  if (begin == std::string::npos) return cells;
+  std::istringstream row(page_text.substr(begin + 3, page_text.find('\n', begin + 1) - begin - 3));
+  for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell);
+  return cells;
+}
+
+// Columns of the tables: agree, differ, left out; of the summary: agree, left out.
+TEST(VerificationPage, SummaryHasTheCountsOfTheTables) {
+  const std::string tables = document("verification-tables.md"), summary = document("verification.md");
+  std::array<int, 2> all{};
+  for (const std::string& name : case_names(cases_of_the_repository())) {
+    const std::vector<std::string> there = cells_of(tables, name), here = cells_of(summary, name);
+    ASSERT_EQ(there.size(), 6u) << name;
+    ASSERT_EQ(here.size(), 4u) << name;
+    EXPECT_EQ(here[2], there[3]) << name;
+    EXPECT_EQ(there[4], " 0 ") << name;
+    EXPECT_EQ(here[3], there[5]) << name;
+    all[0] += std::stoi(there[3]);
+    all[1] += std::stoi(there[5]);
+  }
+  EXPECT_THAT(summary, HasSubstr(fmt::format("\n| all | | {} | {} |\n", all[0], all[1])));
 }
 
 struct Outcome {

@@ -1,9 +1,10 @@
 #pragma once
-// The comparison as text for a terminal, as JSON, and as the page docs/verification.md.
+// The comparison as text for a terminal, as JSON, and as the page docs/verification-tables.md.
 
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "talus/verification/case.hpp"
 #include "talus/verification/verify.hpp"
@@ -21,6 +22,9 @@ namespace talus::verification {
 /// The text of the page about a table, without results: its place in the manual, the comparison, the tolerances with
 /// their reasons, and exceptions.
 [[nodiscard]] std::string description(const Table& table);
+
+/// The first line of the page.
+inline constexpr std::string_view page_title = "# Verification, table by table\n";
 
 /// The whole page. Cases and results in the same order.
 [[nodiscard]] std::string page(std::span<const Case> cases, std::span<const CaseResult> results);
