@@ -134,7 +134,11 @@ TEST(ReferencePage, NamesEverySettingAndItsMeaning) {
   const auto expect_named = [&](const Table& table) {
     for (const Setting& setting : table.settings) {
       EXPECT_NE(page.find("| `" + std::string(setting.key) + "` |"), std::string::npos) << row_name(table, setting);
-      EXPECT_NE(page.find(std::string(setting.meaning)), std::string::npos) << row_name(table, setting);
+      // That paths are relative to the project file the page says once.
+      std::string_view meaning = setting.meaning;
+      for (const char* end : {" The path is relative", " Paths are relative", "|"})
+        meaning = meaning.substr(0, meaning.find(end));
+      EXPECT_NE(page.find(meaning), std::string::npos) << row_name(table, setting);
     }
   };
   for (const Table& table : tables()) expect_named(table);

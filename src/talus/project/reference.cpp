@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
 #include "talus/project/applies.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/settings.hpp"
-#include "talus/project/starter.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::project {
@@ -99,10 +102,32 @@ std::string default_text(const Table& table, const Setting& setting) {
   return fmt::format("{}; {} with `laws = \"{}\"`", value_text(value), value_text(rocfall), word(LawSet::rocfall));
 }
 
+/// The default of a setting that is one of several, of which a project gives one.
+bool is_one_of_several(const Setting& setting) {
+  return setting.without_it.starts_with("one of ") && setting.without_it.ends_with(" is required");
+}
+
+/// Whether a need is said by the first words of a meaning: "Rigid body: ...".
+bool is_said_by_lead(const Need& need) {
+  return need.any_of.size() == 1 && need.any_of.front().key == "analysis.model" &&
+         need.any_of.front().kind == Condition::Kind::one_of;
+}
+
+bool is_of_3d(const Need& need) {
+  return need.any_of.size() == 2 && need.any_of[0].key == "terrain.section" &&
+         need.any_of[0].kind == Condition::Kind::absent && need.any_of[1].key == "terrain.width_m" &&
+         need.any_of[1].kind == Condition::Kind::given;
+}
+
 /// When a setting applies: "with `points` or `lines`; not with `width_m`".
 std::string applies_text(const Table& table, const Setting& setting) {
   std::string out;
   for (const Need& need : setting.applies_when) {
+    if (is_said_by_lead(need) || (is_of_3d(need) && setting.meaning.starts_with("3D: "))) continue;
+    if (is_of_3d(need)) {
+      out += out.empty() ? "in 3D" : "; in 3D";
+      continue;
+    }
     std::string any;
     for (const Condition& condition : need.any_of) {
       const bool is_without = condition.kind == Condition::Kind::absent;
@@ -111,6 +136,7 @@ std::string applies_text(const Table& table, const Setting& setting) {
     }
     out += (out.empty() ? "" : "; ") + any;
   }
+  if (is_one_of_several(setting)) return out;  // and so excludes the others
   const auto excluded = table.excluded_by(setting.key);
   for (std::size_t k = 0; k < excluded.size(); ++k) {
     out += fmt::format("{}`{}`", k > 0 ? ", " : out.empty() ? "not with " : "; not with ", excluded[k]);
@@ -118,14 +144,47 @@ std::string applies_text(const Table& table, const Setting& setting) {
   return out;
 }
 
+/// "number, m, 0 to 100".
+std::string value_column(const Table& table, const Setting& setting) {
+  std::string out = type_text(table, setting);
+  for (const std::string& part : {std::string(setting.unit), range_text(setting.range)}) {
+    if (!part.empty()) out += ", " + part;
+  }
+  return out;
+}
+
+/// What a setting means, when it applies, and its source.
+std::string meaning_column(const Table& table, const Setting& setting) {
+  std::string out = meaning_of(setting);
+  constexpr std::string_view on_paths[]{" The path is relative to the project file.",
+                                        " Paths are relative to the project file."};
+  for (const std::string_view sentence : on_paths) {  // the page says it once
+    if (const std::size_t at = out.find(sentence); at != std::string::npos) out.erase(at, sentence.size());
+  }
+  if (const std::string applies = applies_text(table, setting); applies.starts_with("not ")) {
+    out += fmt::format(" N{}.", applies.substr(1));
+  } else if (!applies.empty()) {
+    out += fmt::format(" Applies {}.", applies);
+  }
+  if (setting.source != "Talus") out += fmt::format(" ({})", setting.source);
+  for (std::size_t at = 0; (at = out.find('|', at)) != std::string::npos; at += 2) out.insert(at, 1, '\\');
+  return out;
+}
+
 std::string rows_of(const Table& table) {
-  std::string out =
-      "| key | type | unit | range | default | applies | meaning | source |\n"
-      "| --- | --- | --- | --- | --- | --- | --- | --- |\n";
+  std::string out;
+  std::vector<std::string_view> choices;  // of which one is required
   for (const Setting& setting : table.settings) {
-    out += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} |\n", setting.key, type_text(table, setting),
-                       setting.unit, range_text(setting.range), default_text(table, setting),
-                       applies_text(table, setting), meaning_of(setting), setting.source);
+    if (is_one_of_several(setting) && std::ranges::find(choices, setting.without_it) == choices.end()) {
+      choices.push_back(setting.without_it);
+      out += fmt::format("O{}.\n\n", setting.without_it.substr(1));
+    }
+  }
+  out += "| key | value | default | meaning |\n| --- | --- | --- | --- |\n";
+  for (const Setting& setting : table.settings) {
+    out += fmt::format("| `{}` | {} | {} | {} |\n", setting.key, value_column(table, setting),
+                       is_one_of_several(setting) ? "see above" : default_text(table, setting),
+                       meaning_column(table, setting));
   }
   return out;
 }
@@ -138,21 +197,23 @@ std::string reference_page() {
 <!-- Generated from the declaration of the settings (src/talus/project/settings) by reference.cpp; do not edit.
      To renew it: TALUS_RENEW_REFERENCE=1 and run the test ReferencePage.IsNotStale. -->
 
-A project is one TOML file. Units are in the names of the keys. A key that is not listed here is an error, and so is a
-value out of range: `talus check` shows all problems at once, with file, line and key. Lengths are in metres, x and y on
-plan, z up.
+A project is one TOML file. An unknown key is an error, and so is a value out of range: `talus check` shows all problems
+at once, with file, line and key. Lengths are in metres, x and y on plan, z up. Paths of files are relative to the
+project file. `talus new` writes a small commented project; [examples](../examples/tutorial-1/tutorial-1-2d.toml) come
+with the program.
 
 A section without `width_m` is analysed in 2D: positions then are [x, z]. Everything else is 3D, and positions are
 [x, y, z].
 
 On the command line, `--set table.key=value` overrides a key. The value is TOML; anything else, such as `../dem.tif` or
-`EPSG:31287`, is taken as a text. List entries are addressed by number, starting from 0, or by name:
+`EPSG:31287`, is taken as a text. List entries are addressed by number, starting from 0, or by name (in double quotes if
+it contains a dot):
 `--set analysis.gravity_m_s2=9.81 --set seeder.0.rocks=10 --set "material.Type One.normal_restitution.mean=0.4"`.
-Put a name that contains a dot in double quotes. `--rocks N` sets the total number of rocks, which several seeders share
-in proportion to their numbers in the file. `--seed S` is short for `--set sampling.seed=S`.
+`--rocks N` sets the total number of rocks, which several seeders share in proportion to their numbers in the file.
+`--seed S` is short for `--set sampling.seed=S`.
 
-Where the source is *the manual*, it is Rocscience's verification manual of RocFall3, *Lumped Mass and Rigid Body
-(Legacy Sphere)*.
+The column *value* has type, unit and range. A meaning ends with its source in brackets, unless that is Talus. *The
+manual* is Rocscience's verification manual of RocFall3, *Lumped Mass and Rigid Body (Legacy Sphere)*.
 
 ## Random properties
 
@@ -169,7 +230,6 @@ range of its property.
                         table.meaning);
     page += rows_of(table);
   }
-  page += "\n## An example\n\n`talus new` writes this project.\n\n```toml\n" + starter() + "```\n";
   return page;
 }
 

@@ -17,7 +17,7 @@ const cells = (line: string) =>
   line
     .replace(/^\||\|\s*$/g, '')
     .split(/(?<!\\)\|/)
-    .map((cell) => cell.trim());
+    .map((cell) => cell.trim().replaceAll('\\|', '|'));
 
 const item = /^(-|\d+\.) +/;
 
