@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "talus/archive/column_statistics.hpp"
@@ -49,12 +52,45 @@ void add_numbers(const char* name, const std::vector<NumberColumn>& columns, std
   add_object(name, members, out);
 }
 
+/// How many of the first columns one row describes, and what it says: components of a vector, ends of an interval.
+std::pair<std::size_t, std::string> described_together(std::span<const ColumnText> columns) {
+  const ColumnText& first = columns.front();
+  const auto follows = [&](std::size_t k, std::string_view lead) {
+    return k < columns.size() && columns[k].unit == first.unit && columns[k].meaning.starts_with(lead);
+  };
+  constexpr std::string_view x = "x of ", lower = "lower end", upper = "upper end";
+  if (first.meaning.starts_with(x)) {
+    const std::string_view whole = std::string_view(first.meaning).substr(x.size());
+    std::string letters = "x";
+    std::size_t count = 1;
+    for (const char* lead : {"y of ", "z of "}) {
+      if (!follows(count, lead)) break;
+      const std::string_view rest = std::string_view(columns[count].meaning).substr(x.size());
+      if (rest != "it" && !whole.starts_with(rest)) break;
+      letters += fmt::format(", {}", lead[0]);
+      ++count;
+    }
+    if (count > 1) return {count, fmt::format("{} of {}", letters, whole)};
+  }
+  if (first.meaning.starts_with(lower) && follows(1, upper)) {
+    const std::string_view of = std::string_view(first.meaning).substr(lower.size());
+    const std::string_view rest = std::string_view(columns[1].meaning).substr(upper.size());
+    if (rest.empty() || rest == of) return {2, fmt::format("ends{}", of)};
+  }
+  return {1, first.meaning};
+}
+
 }  // namespace
 
 std::string column_table(std::span<const ColumnText> columns) {
   std::string out = "| column | unit | what |\n| --- | --- | --- |\n";
-  for (const ColumnText& column : columns)
-    out += fmt::format("| `{}` | {} | {} |\n", column.name, column.unit, column.meaning);
+  for (std::size_t k = 0; k < columns.size();) {
+    const auto [count, meaning] = described_together(columns.subspan(k));
+    std::string names;
+    for (std::size_t i = k; i < k + count; ++i) names += fmt::format("{}`{}`", i > k ? ", " : "", columns[i].name);
+    out += fmt::format("| {} | {} | {} |\n", names, columns[k].unit, meaning);
+    k += count;
+  }
   return out;
 }
 
