@@ -166,20 +166,13 @@ TEST(Store, AllDivisionsOfTheRocksGiveItsBytes) {
   EXPECT_TRUE(bytes_of(work / "merged/trajectories.bin") == whole);
 }
 
-/// The first block of code in Python of a page.
-std::string python_of(const std::string& page) {
-  const std::string text = bytes_of(fs::path(talus::places::in_source("/docs")) / page);
-  const std::size_t begin = text.find("```python\n") + 10;
-  return text.substr(begin, text.find("```", begin) - begin);
-}
-
-TEST(Store, IsReadByThePageOfItsFormat) {
+TEST(Store, IsReadByTheExample) {
   const Workplace work;
   for (const char* settings : {"", "--set analysis.model=rigid_sphere",
                                "--set material.0.forest_drag_kg_s=300 --set material.0.forest_height_m=5"}) {
     run_slope(work, "out", settings);
     ASSERT_EQ(talus_says("export " + (work / "out").string() + " -o " + (work / "paths.csv").string()).exit_code, 0);
-    (void)work.write("read.py", python_of("trajectories.md") + R"(
+    (void)work.write("read.py", bytes_of(talus::places::in_source("/examples/trajectories/read_trajectories.py")) + R"(
 import csv, sys
 
 store = Store(sys.argv[1])
