@@ -27,7 +27,7 @@ def reference_page() -> str:
     parts += ["## Distributions\n", text_of(distributions)]
     parts += [f"- `talus.{name}`: {first(getattr(distributions, name))}" for name in distributions.__all__]
     parts += ["\n## Tables of a project\n"]
-    parts += [f"- `talus.{name}`: {first(getattr(settings, name))}" for name in settings.__all__]
+    parts += [f"- `talus.{name}`: {sentence(getattr(settings, name))}" for name in settings.__all__]
     return re.sub(r"\n{3,}", "\n\n", "\n".join(parts)).rstrip() + "\n"
 
 
@@ -74,3 +74,8 @@ def text_of(member: Any) -> str:
 def first(member: Any) -> str:
     """The first paragraph in one line."""
     return " ".join(text_of(member).split("\n\n")[0].split())
+
+
+def sentence(member: Any) -> str:
+    """The first sentence, of which the page of the project file has the others."""
+    return re.split(r"[.;] ", first(member))[0].rstrip(".") + "."
