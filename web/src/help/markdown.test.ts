@@ -23,6 +23,8 @@ describe('blocks', () => {
     expect(blocksOf('| a | b |\n| --- | --- |\n| 1 | |\n')).toEqual([
       { kind: 'table', head: ['a', 'b'], rows: [['1', '']] },
     ]));
+  test('bars in tables', () =>
+    expect(blocksOf('| a |\n| --- |\n| \\|x\\| |\n')).toEqual([{ kind: 'table', head: ['a'], rows: [['|x|']] }]));
   test('equations', () => expect(blocksOf('```math\na = b\n```')).toEqual([{ kind: 'equation', text: 'a = b' }]));
   test('comments are left out', () => expect(blocksOf('<!-- a\nb -->\nc')).toEqual([{ kind: 'paragraph', text: 'c' }]));
 });
