@@ -33,7 +33,7 @@ def measured(command: list[str]) -> Used:
 def hash_of_results(folder: Path) -> str:
     """Of all files of a run and the figures of its summary: nothing that depends on time or threads."""
     files = json.loads((folder / "files.json").read_text())["files"]
-    sums = {name: entry["xxh128"] for name, entry in files.items() if name not in ("summary.json", "report.html")}
+    sums = {name: entry for name, entry in files.items() if name not in ("summary.json", "report.html")}
     summary = json.loads((folder / "summary.json").read_text())
     figures = {key: summary[key] for key in ("rocks", "end_reasons", "events", "ways", "statistics", "histograms")}
     return hashlib.sha256(json.dumps([sums, figures], sort_keys=True).encode()).hexdigest()[:16]

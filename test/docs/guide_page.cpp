@@ -172,7 +172,9 @@ GuidePage read_guide(const std::string& text) {
 
 std::string as_shown(const std::string& output) {
   static const std::regex timing(R"(in [0-9.]+ s \([0-9]+ rocks/s on [0-9]+ threads?( of [0-9]+ ranks)?\))");
-  return std::regex_replace(output, timing, "in ... s (... rocks/s on ... threads$1)");
+  static const std::regex progress(R"([0-9]+ of [0-9]+ [a-z ]+ \([0-9]+ %\), [0-9.]+ [a-z ]+/s, [^\n]* left\n)");
+  return std::regex_replace(std::regex_replace(output, progress, ""), timing,
+                            "in ... s (... rocks/s on ... threads$1)");
 }
 
 std::vector<std::string> unsupported_numbers(const GuidePage& page) {

@@ -50,7 +50,7 @@ struct GuidePage {
 /// Throws std::runtime_error with the line of a block that is neither a file nor a console.
 [[nodiscard]] GuidePage read_guide(const std::string& text);
 
-/// Output as pages show it: durations and numbers of threads are replaced by "...".
+/// Output as pages show it: durations and numbers of threads are replaced by "...", progress is left out.
 [[nodiscard]] std::string as_shown(const std::string& output);
 
 /// Numbers in the page's prose that are in none of its files, commands and outputs. They may be rounded, or be the

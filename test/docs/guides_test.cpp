@@ -150,6 +150,7 @@ TEST(GuidePage, ShowsNoTimings) {
             "A: 50 rocks in ... s (... rocks/s on ... threads)\n");
   EXPECT_EQ(as_shown("A: 50 rocks in 2 s (25 rocks/s on 1 thread of 2 ranks)\n"),
             "A: 50 rocks in ... s (... rocks/s on ... threads of 2 ranks)\n");
+  EXPECT_EQ(as_shown("9216 of 20000 rocks (46 %), 921 rocks/s, 0:11 left\nA\n"), "A\n") << "on a slow machine";
 }
 
 TEST(GuidePage, ReportsUnsupportedNumbers) {
