@@ -1,7 +1,7 @@
 // Section 2.2 of the verification manual, built by hand: from an empty project to the trajectory of table 2-4.
 
 import type { Page } from '@playwright/test';
-import { shiftedText } from '../../../web/src/ui/format';
+import { shiftedText } from '../../../web/src/units/texts';
 import { openForm } from '../support/steps';
 import { cellsOf, printedUnit, published } from '../support/table';
 import { expect, test } from '../support/workbench';

@@ -5,7 +5,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { shownPaths } from '../paths/drawnPaths';
 import { endTime } from '../paths/playback';
 import { Dialog } from '../ui/Dialog';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { progress, saveAnimation, type AnimatedView } from './film';
 import './animation.css';
 import { frameCount, mostFrames, rates, sizes, usualSeconds } from './frames';

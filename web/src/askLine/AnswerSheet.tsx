@@ -9,7 +9,7 @@ import { displayOf } from '../state/displayUnits';
 import { model } from '../state/model';
 import { shown } from '../state/runs';
 import { isOutdated } from '../runs/outdated';
-import { counted, fixedText, numberText } from '../ui/format';
+import { counted, fixedText, numberText } from '../units/numbers';
 import { projectTitle, titleBlockFacts } from '../view/sheet';
 import { asked, kitEnergy, kitHeight } from './asked';
 import { Figures, figuresOfArea, figuresOfLine, Shares } from './AskedFigures';

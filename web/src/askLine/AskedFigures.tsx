@@ -2,7 +2,7 @@
 
 import type { AskedAnswer, LineAnswer, LineQuantity, PolygonAnswer } from '../api/line';
 import { displayOf } from '../state/displayUnits';
-import { counted, numberText } from '../ui/format';
+import { counted, numberText } from '../units/numbers';
 import { intervalText, percentText } from './kit';
 import { rangeOf } from './tornadoOf';
 import { whatIf } from './whatIf';

@@ -1,7 +1,7 @@
 // A kit at the line: its height and capacity, and what it would stop, from the table of the answer.
 
 import type { KitTable } from '../api/line';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { kitEnergy, kitHeight } from './asked';
 import { kitSentence, kitShare, nearestIndex } from './kit';
 

@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { dimension } from '../model/place';
 import { filter } from '../state/filter';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { sourceColour, type SourceColour } from './asked';
 import { sourcePlaces, sourceText, sourceTitles, toggleRelease } from './sources';
 

@@ -10,7 +10,7 @@ import { tool, useTool } from '../scene/tool';
 import { notify, reportFailure, resolve } from '../state/messages';
 import { model } from '../state/model';
 import { isAsking } from '../state/view';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { ask } from './asked';
 
 const names = { layer: 'Take a line of a layer', contour: 'Take a contour' } as const;

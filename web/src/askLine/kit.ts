@@ -1,7 +1,7 @@
 // What a kit would stop, looked up in the table that the answer has.
 
 import type { KitTable, Share } from '../api/line';
-import { numberText } from '../figures/format';
+import { numberText } from '../units/numbers';
 
 /// The index of the value nearest to `wanted`.
 export function nearestIndex(values: readonly number[], wanted: number): number {

@@ -9,7 +9,7 @@ import { file } from '../state/document';
 import { notify, resolve } from '../state/messages';
 import { model } from '../state/model';
 import { isAsking } from '../state/view';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { ask } from './asked';
 import { pointsOfText } from './textLine';
 

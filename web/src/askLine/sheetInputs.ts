@@ -1,6 +1,6 @@
 // What a run was of, in few words for a sheet: its rock model, rocks and materials, from the project in its summary.
 
-import { numberText } from '../figures/format';
+import { numberText } from '../units/numbers';
 import { applies } from '../model/applies';
 import { constantKind, type KeyOf } from '../model/names';
 import { fieldOf } from '../model/settings';

@@ -11,7 +11,7 @@ import { isAsking } from '../state/view';
 import { stopsOf, type LegendData } from '../view/legends';
 import { shareRamp } from '../view/colours';
 import { shade } from '../view/theme';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { roundUp } from '../view/ticks';
 import { answer, sourceColour, type SourceColour } from './asked';
 import { percentText } from './kit';

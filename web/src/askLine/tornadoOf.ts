@@ -2,7 +2,7 @@
 
 import type { Interval } from '../api/line';
 import type { Change, Variation, WhatIfAnswer, WhatIfFigure } from '../api/whatIf';
-import { measured } from '../figures/format';
+import { measured } from '../units/numbers';
 import type { TornadoBar } from '../figures/tornado';
 import type { Edit } from '../model/names';
 import type { Displayed } from '../units/units';

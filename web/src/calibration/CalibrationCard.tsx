@@ -4,7 +4,8 @@ import { RunStateText } from '../runs/RunStateText';
 import { chosenCalibration, remove, resume, shownCalibration, stop } from '../state/runs';
 import { resultsOpen, resultsTab } from '../state/view';
 import { Dialog } from '../ui/Dialog';
-import { clockText, counted, momentText } from '../ui/format';
+import { clockText, momentText } from '../units/texts';
+import { counted } from '../units/numbers';
 
 /// A calibration of the list.
 export function CalibrationCard({ run }: { run: Run }) {

@@ -5,7 +5,7 @@ import { observing, type CalibrationSummary } from '../api/calibration';
 import { fileAddress, results } from '../api/results';
 import type { Run } from '../api/types';
 import { parameterPairs, parameterShareRows, parameterShares, predictedShareRows, predictedShares } from '../figures/bands';
-import { numberText } from '../figures/format';
+import { numberText, counted } from '../units/numbers';
 import type { Room } from '../figures/plot';
 import { Chart } from '../results/Chart';
 import { DataTable } from '../results/DataTable';
@@ -15,7 +15,6 @@ import { Waiting } from '../results/Waiting';
 import { stateText } from '../runs/RunStateText';
 import { reportFailure } from '../state/messages';
 import { shownCalibration } from '../state/runs';
-import { counted } from '../ui/format';
 import { ensembles, openBestFit, predictWithPosterior } from './predictions';
 import './calibration.css';
 

@@ -5,7 +5,7 @@ import { chosenFiles, files, fittingFiles, loadFiles, relativeTo } from '../mode
 import { TypedInput } from '../model/form/TypedInput';
 import { rowsOf, file } from '../state/document';
 import { reportFailure } from '../state/messages';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import {
   addObservation,
   changeObservation,

@@ -11,7 +11,7 @@ import { shownColour } from '../results/layers';
 import { useRemote } from '../results/remote';
 import { fileName } from '../results/save';
 import { Waiting } from '../results/Waiting';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { inFolder, observedStops } from './observations';
 import './calibration.css';
 

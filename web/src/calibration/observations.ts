@@ -9,7 +9,7 @@ import { file, fileStem } from '../state/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
 import { keptOfProject } from '../state/ofProject';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { markColours } from '../view/colours';
 import type { LegendData } from '../view/legends';
 import { layers } from '../view/settings';

@@ -3,7 +3,7 @@
 
 import { max } from 'd3-array';
 import { area, line } from 'd3-shape';
-import { measured, numberText } from './format';
+import { measured, numberText } from '../units/numbers';
 import type { Cell } from './files';
 import { cumulativeCurve } from './cumulative';
 import { extentOf, openDrawing, openPlot, rangeText, readAlong, sign, titleOf, valueText, type Group, type Room } from './plot';

@@ -1,7 +1,7 @@
 // Box plots: quartiles with the median, whiskers, minimum and maximum as dots beyond the whiskers, the mean as a cross.
 
 import { max } from 'd3-array';
-import { measured } from './format';
+import { measured } from '../units/numbers';
 import type { Cell } from './files';
 import { extentOf, openDrawing, openPlot, titleOf, type Group, type Quantity, type Room } from './plot';
 import { tip } from './tip';

@@ -1,6 +1,6 @@
 // The cumulative distribution: the share of rocks or hits with at most a value.
 
-import { numberText } from './format';
+import { numberText } from '../units/numbers';
 import type { Cell } from './files';
 import {
   extentOf,

@@ -1,6 +1,6 @@
 // The energy of one rock along its trajectory: total kinetic, rotational, potential and mechanical energy.
 
-import { measured } from './format';
+import { measured } from '../units/numbers';
 import { extentOf, openDrawing, openPlot, readAlong, sign, type Group, type Room } from './plot';
 
 export interface EnergyRow {

@@ -1,7 +1,7 @@
 // Histograms. Several runs are counted in the same bins and shown side by side as shares of each.
 
 import { max, sum } from 'd3-array';
-import { counted, numberText } from './format';
+import { counted, numberText } from '../units/numbers';
 import {
   extentOf,
   fromZero,

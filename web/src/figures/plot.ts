@@ -5,7 +5,7 @@ import { extent, max } from 'd3-array';
 import { axisBottom, axisLeft, axisRight } from 'd3-axis';
 import { scaleLinear, type ScaleLinear } from 'd3-scale';
 import { select, type Selection } from 'd3-selection';
-import { measured, tickText } from './format';
+import { measured, tickText } from '../units/numbers';
 import { endsAround } from './oneValue';
 import { hideTip, showTip } from './tip';
 

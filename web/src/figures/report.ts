@@ -13,7 +13,7 @@ export * as d3 from './d3';
 export * from './energy';
 export * from './envelope';
 export * from './files';
-export * from './format';
+export * from '../units/numbers';
 export * from './histogram';
 export { endsAround } from './oneValue';
 export { axes, extentOf, legend, pointIn, sign } from './plot';

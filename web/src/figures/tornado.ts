@@ -1,6 +1,6 @@
 // Tornado plot: effects of inputs on a result as horizontal bars, the largest on top.
 
-import { measured } from './format';
+import { measured } from '../units/numbers';
 import { extentOf, openDrawing, openPlot, titleOf, type Quantity, type Room } from './plot';
 import { tip } from './tip';
 

@@ -1,6 +1,6 @@
 // The legend of the map on the terrain.
 
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { cssOf } from '../view/colours';
 import type { LegendData } from '../view/legends';
 import { classOf, classText } from './classes';

@@ -4,7 +4,7 @@ import { useState } from 'preact/hooks';
 import { edit, rowsOf } from '../state/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../state/model';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { assignByClicks, paintArea } from './assignTool';
 import { materialColour } from '../view/colours';
 import { Field } from './form/Field';

@@ -3,7 +3,7 @@
 import type { Problem } from '../api/types';
 import { syntaxError } from '../state/document';
 import { chosen, sidePanel } from '../state/view';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { pathOf, type Path } from './names';
 import { sectionOf } from './sections';
 import { realProblems, sentenceOf, toneOf } from './awaited';

@@ -3,7 +3,7 @@
 import { rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';
 import type { TomlValue } from '../toml/format';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { library } from './library';
 import { likeness } from './likeness';
 import { defaultOf, type Row, type TableName } from './names';

@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { everyRock, filter, isFiltering, type RockFilter } from '../state/filter';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { Popover } from '../view/Popover';
 import { shownPaths } from './drawnPaths';
 import { leftByFilter } from './shownPassing';

@@ -1,6 +1,6 @@
 // Playback of the shown run, synchronized between views.
 
-import { counted, numberText } from '../ui/format';
+import { counted, numberText } from '../units/numbers';
 import { playbackSpeed } from '../view/settings';
 import { shownPaths, type SoFar } from './drawnPaths';
 import { endTime, goTo, isPlaying, pause, play, speeds, time } from './playback';

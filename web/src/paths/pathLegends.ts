@@ -3,7 +3,7 @@
 import { arePathsShown } from '../maps/over';
 import { isOutdated } from '../runs/outdated';
 import { compared, shown } from '../state/runs';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { stopsOf, type LegendData } from '../view/legends';
 import { runColour } from '../view/theme';
 import { colouring } from './colouring';

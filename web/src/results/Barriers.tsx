@@ -4,7 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { results, type BarrierAnswer } from '../api/results';
 import type { Run } from '../api/types';
 import { filter } from '../state/filter';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { BarrierCounts } from './BarrierCounts';
 import { ColumnChoice, hitChoices } from './ColumnChoice';
 import { titleOf } from './columns';

@@ -1,13 +1,13 @@
 // A table of results, saved and copied with all digits.
 
 import type { ComponentChildren } from 'preact';
-import { decimalsOf, dividedText } from '../ui/format';
+import { decimalsOf, dividedText } from '../units/texts';
 import type { NumberText } from '../api/exact';
 import { allDigits } from '../state/view';
 import { displayOf } from '../state/displayUnits';
 import { asInFiles, displayOfColumn } from './columns';
 import { saveCsv } from '../figures/files';
-import { fixedText, measured } from '../figures/format';
+import { fixedText, measured } from '../units/numbers';
 import { copyRows } from './save';
 
 export interface Column {

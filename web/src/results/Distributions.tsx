@@ -4,7 +4,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { filter, isFiltering } from '../state/filter';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { ColumnChoice, endpointChoices } from './ColumnChoice';
 import { titleOf } from './columns';
 import { DistributionFigures } from './DistributionFigures';

@@ -1,5 +1,5 @@
 import { everyRock, filter, isFiltering } from '../state/filter';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 
 /// A note that a filter is active, with the number of rocks that pass if known, and a button to reset it.
 export function FilterNote({ left, of }: { left?: number; of?: number }) {

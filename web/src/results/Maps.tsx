@@ -4,7 +4,7 @@ import { fileAddress, results } from '../api/results';
 import type { Run, RunMap } from '../api/types';
 import { OverMap } from '../maps/OverMap';
 import { drapedMap, drapedOpacity } from '../state/view';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { displayOf } from '../state/displayUnits';
 import { capital, mapGroups, type MapGroup } from './mapGroups';
 import { useRemote } from './remote';

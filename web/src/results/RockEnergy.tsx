@@ -1,7 +1,7 @@
 import { useCallback } from 'preact/hooks';
 import type { RockAnswer, Run } from '../api/types';
 import { energy } from '../figures/energy';
-import { numberText } from '../figures/format';
+import { numberText } from '../units/numbers';
 import type { Room } from '../figures/plot';
 import { Chart } from './Chart';
 import { displayOf } from '../state/displayUnits';

@@ -1,5 +1,5 @@
 import type { Statistics } from '../api/types';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 
 /// A note that the results are of a sample of the rocks, with the setting as tooltip.
 export function SampleNote({ of: { sample } }: { of: Pick<Statistics, 'sample'> }) {

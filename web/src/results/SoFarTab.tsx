@@ -2,7 +2,7 @@
 
 import type { Run } from '../api/types';
 import { shownPaths, type CountSoFar } from '../paths/drawnPaths';
-import { counted, numberText } from '../ui/format';
+import { counted, numberText } from '../units/numbers';
 import { DataTable } from './DataTable';
 import { fileName } from './save';
 

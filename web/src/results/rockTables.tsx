@@ -1,7 +1,7 @@
 import type { RockAnswer, Run } from '../api/types';
 import { hitColumns, pathColumns } from '../generated/columns';
 import { allDigits } from '../state/view';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { DataTable, type Column } from './DataTable';
 import { displayOfColumn, type HitColumn, type PathColumn } from './columns';
 import { DigitsSwitch } from './DigitsSwitch';

@@ -2,7 +2,7 @@
 
 import type { Cell } from '../figures/files';
 import { notify, reportFailure } from '../state/messages';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 
 /// Copies rows for a spreadsheet, with columns separated by tabs.
 export function copyRows(rows: readonly (readonly Cell[])[]) {

@@ -2,7 +2,7 @@ import { fileAddress, results } from '../api/results';
 import type { Run } from '../api/types';
 import { useRemote } from '../results/remote';
 import { Waiting } from '../results/Waiting';
-import { bytesText } from '../ui/format';
+import { bytesText } from '../units/texts';
 
 /// Links to the files of a run.
 export function RunFiles({ run }: { run: Run }) {

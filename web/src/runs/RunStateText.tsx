@@ -1,5 +1,5 @@
 import type { Run, RunState } from '../api/types';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 
 const looks: Record<RunState, { sign: string; words: string }> = {
   waiting: { sign: '…', words: 'Waiting' },

@@ -1,6 +1,6 @@
 import { shownMap, valueAt } from '../maps/shownMap';
 import { displayOf } from '../state/displayUnits';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { roundStep } from '../view/ticks';
 import { ToolHint } from './ToolHint';
 import { camera, contourInterval, pointer } from './picture';

@@ -2,7 +2,7 @@
 
 import type { AnimatedView, Size } from '../animation/film';
 import { shownMap } from '../maps/shownMap';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { printRatio } from '../view/png';
 import { exaggeration } from '../view/settings';
 import { pictureSize, type SheetPicture } from '../view/sheet';

@@ -2,7 +2,7 @@
 
 import { materialColour } from '../view/colours';
 import { overlap, type Box } from '../view/framing';
-import { tickText } from '../figures/format';
+import { tickText } from '../units/numbers';
 import { roundStep, ticks } from '../view/ticks';
 import { pixelOf, placeOf, type Frame } from './frame';
 import type { Profile } from './profile';

@@ -2,7 +2,7 @@
 
 import { filter, isFiltering } from '../state/filter';
 import { displayOf } from '../state/displayUnits';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { corridorWidth, sectionEnvelope } from '../view/settings';
 import { corridorPaths, drawnCount } from './corridorTraces';
 import { envelopeChoices } from './stations';

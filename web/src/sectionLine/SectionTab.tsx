@@ -13,7 +13,7 @@ import { shownColour } from '../results/layers';
 import { copyRows, fileName } from '../results/save';
 import { fileStem } from '../state/document';
 import { notify, reportFailure, resolve } from '../state/messages';
-import { counted, numberText } from '../ui/format';
+import { counted, numberText } from '../units/numbers';
 import { equalAxes } from '../view/settings';
 import { CorridorChoices } from './CorridorChoices';
 import { corridorTraces } from './corridorTraces';

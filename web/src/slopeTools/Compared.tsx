@@ -2,7 +2,7 @@
 
 import type { DitchShare } from '../api/ditch';
 import { intervalText, percentText } from '../askLine/kit';
-import { fixedText } from '../ui/format';
+import { fixedText } from '../units/numbers';
 import { comparing, comparison } from './compare';
 
 export function ShareCell({ of: { share } }: { of: DitchShare }) {

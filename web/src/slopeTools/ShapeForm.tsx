@@ -1,6 +1,6 @@
 // The form of a slope tool: its numbers, what it cuts and fills, Apply and Compare.
 
-import { fixedText } from '../ui/format';
+import { fixedText } from '../units/numbers';
 import { Compared } from './Compared';
 import { compare, comparing, mostRocks, station } from './compare';
 import { NumberInput } from './NumberInput';

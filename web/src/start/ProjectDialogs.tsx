@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { files } from '../model/files';
-import { counted } from '../ui/format';
+import { counted } from '../units/numbers';
 import { Dialog } from '../ui/Dialog';
 import { copyName, type ListedProject } from './projectList';
 import { deleteProject, duplicateProject, renameProject } from './projects';

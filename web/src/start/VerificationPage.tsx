@@ -4,7 +4,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { api } from '../api/client';
 import type { Verification, VerificationCase } from '../api/types';
 import { reportFailure } from '../state/messages';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 
 export function VerificationPage({ close }: { close: () => void }) {
   const [answer, setAnswer] = useState<Verification | null>(null);

@@ -7,7 +7,8 @@ import { displayOf, unitSystem } from '../state/displayUnits';
 import { theme, type Theme } from '../state/view';
 import { ComputeMenu } from '../runs/ComputeMenu';
 import { RunEnds } from '../runs/RunEnds';
-import { clockText, counted } from './format';
+import { clockText } from '../units/texts';
+import { counted } from '../units/numbers';
 import { afterTyping } from './typing';
 
 const themes: Theme[] = ['system', 'light', 'dark'];

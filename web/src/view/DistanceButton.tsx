@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
 import { showOverlay, tool, useTool, type Tool } from '../scene/tool';
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 
 const places = signal<Point3[]>([]);
 const owner = 'distance';

@@ -1,7 +1,7 @@
 // The memory that a view takes, below the choices of a popover.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { bytesText } from '../ui/format';
+import { bytesText } from '../units/texts';
 
 /// Of the browser's own count; undefined where it has none.
 const heapBytes = () => (performance as { memory?: { usedJSHeapSize: number } }).memory?.usedJSHeapSize;

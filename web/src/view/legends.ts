@@ -1,6 +1,6 @@
 // Legends as data, shown over a view and drawn into saved pictures.
 
-import { numberText } from '../ui/format';
+import { numberText } from '../units/numbers';
 import { cssOf, type Colour, type Ramp } from './colours';
 
 export interface ScaleOfColours {

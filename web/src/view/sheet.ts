@@ -7,7 +7,7 @@ import { model } from '../state/model';
 import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
 import { saveFile } from '../figures/files';
-import { counted, numberText } from '../ui/format';
+import { counted, numberText } from '../units/numbers';
 import { drawLegends, type LegendData } from './legends';
 import { printPng, printRatio } from './png';
 import { roundStep } from './ticks';

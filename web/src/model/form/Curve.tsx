@@ -5,7 +5,7 @@ import { api } from '../../api/client';
 import type { Path } from '../names';
 import type { TomlTable } from '../../toml/format';
 import { jsonText } from '../../toml/json';
-import { numberText } from '../../ui/format';
+import { numberText } from '../../units/numbers';
 
 interface Props {
   distribution: TomlTable;

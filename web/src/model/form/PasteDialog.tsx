@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { Dialog } from '../../ui/Dialog';
-import { counted } from '../../ui/format';
+import { counted } from '../../units/numbers';
 import { readPasted, withoutNames, type Commas } from '../pasted';
 
 export interface Cell {

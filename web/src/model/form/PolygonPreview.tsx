@@ -6,7 +6,7 @@ import type { PolygonsAnswer } from '../../api/types';
 import type { TomlValue } from '../../toml/format';
 import { jsonText } from '../../toml/json';
 import { valueAt } from '../../state/document';
-import { counted } from '../../ui/format';
+import { counted } from '../../units/numbers';
 import { tableAt } from '../place';
 
 const size = 200;

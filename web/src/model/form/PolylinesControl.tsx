@@ -6,7 +6,7 @@ import { problemsAt } from '../../state/model';
 import type { Path } from '../names';
 import type { TomlValue } from '../../toml/format';
 import { isSame } from '../../toml/differences';
-import { counted } from '../../ui/format';
+import { counted } from '../../units/numbers';
 import { pathText } from '../place';
 import { cellsOf, rowEdits } from '../rows';
 import { waitingAt } from '../unfinished';

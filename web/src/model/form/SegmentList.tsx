@@ -3,7 +3,7 @@
 import { edit, valueAt } from '../../state/document';
 import { model, problemsAt } from '../../state/model';
 import type { Path } from '../names';
-import { counted } from '../../ui/format';
+import { counted } from '../../units/numbers';
 import { cellText } from '../numbers';
 import { is2d, pathText, tableAt } from '../place';
 import { Choice } from './Choice';

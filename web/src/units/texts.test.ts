@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
-import { decimalsOf, fixedText, dividedText, shiftedText } from './format';
+import { decimalsOf, dividedText, shiftedText } from './texts';
+import { fixedText } from './numbers';
 
 test('changing the unit of a number keeps its digits', () => {
   expect(shiftedText('152530.42507165897', 3)).toBe('152.53042507165897');

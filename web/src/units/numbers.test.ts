@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { counted, fixedText, measured, numberText, tickText } from './format';
+import { counted, fixedText, measured, numberText, tickText } from './numbers';
 
 test('a number has the given number of significant digits', () => {
   const shown = [0, 12, 1234567, 1234.5, 98.7654321, 0.00123456, -2.5, 1.23456e-7, 3e20, NaN].map((value) =>

@@ -1,8 +1,6 @@
-// Numbers and times as text. Functions shared with the figures are in figures/format.
+// Decimals, sizes and times as text. What figures need, too, is in numbers.ts.
 
-import { numberText } from '../figures/format';
-
-export { counted, fixedText, numberText } from '../figures/format';
+import { numberText } from './numbers';
 
 /// "3:05", "1:02:03".
 export function clockText(seconds: number): string {
