@@ -61,7 +61,7 @@ function(talus_bundle_figures bundle)
   else()
     set(esbuild ${CMAKE_COMMAND} -E env NODE_PATH=${D3_MODULES} ${ESBUILD})
   endif()
-  file(GLOB sources CONFIGURE_DEPENDS ${web}/src/figures/*.ts ${web}/src/generated/columns.ts ${web}/src/view/*.ts
+  file(GLOB sources CONFIGURE_DEPENDS ${web}/src/figures/*.ts ${web}/src/generated/columns.ts ${web}/src/geometry/*.ts
     ${web}/src/settings/*.ts ${web}/src/units/*.ts)
   add_custom_command(
     OUTPUT ${bundle}

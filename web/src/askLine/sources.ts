@@ -12,7 +12,7 @@ import { stopsOf, type LegendData } from '../view/legends';
 import { shareRamp } from '../view/colours';
 import { shade } from '../view/theme';
 import { counted } from '../units/numbers';
-import { roundUp } from '../view/ticks';
+import { roundUp } from '../geometry/ticks';
 import { answer, sourceColour, type SourceColour } from './asked';
 import { percentText } from './kit';
 

@@ -1,7 +1,7 @@
 // Snapping of a dragged vertex to other vertices and lines of the model.
 
 import type { Point3 } from '../api/types';
-import type { Pixel } from '../view/nearness';
+import type { Pixel } from '../geometry/nearness';
 
 /// A vertex with its place in the picture, or a line between two of them.
 export interface Mark {

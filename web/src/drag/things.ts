@@ -3,7 +3,7 @@
 import type { Point3 } from '../api/types';
 import { pathOf, type Path } from '../model/names';
 import { model } from '../state/model';
-import { distanceToLine, type Pixel } from '../view/nearness';
+import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { layers } from '../view/settings';
 import type { DragView } from './drag';
 

@@ -1,6 +1,6 @@
 // Saves figures and tables as files.
 
-import { printPng, printRatio } from '../view/png';
+import { printPng, printRatio } from './png';
 
 export type Cell = string | number;
 

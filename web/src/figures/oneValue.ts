@@ -1,6 +1,6 @@
 // A readable axis for values that are all equal, except for rounding errors.
 
-import { roundStep } from '../view/ticks';
+import { roundStep } from '../geometry/ticks';
 
 export interface Ends {
   min: number;

@@ -9,7 +9,7 @@ import { shading } from '../view/settings';
 import { consequences } from './consequences';
 import { draw, type Drawing } from './drawing';
 import { entriesUnchanged, is2d, tableAt, thingOf } from './place';
-import { rounded } from './plan';
+import { rounded } from '../geometry/plan';
 
 const extent = () => {
   const bounds = model.value?.bounds;

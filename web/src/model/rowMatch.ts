@@ -2,7 +2,7 @@
 
 import { isSame } from '../toml/differences';
 import type { TomlValue } from '../toml/format';
-import { distanceToLine } from '../view/nearness';
+import { distanceToLine } from '../geometry/nearness';
 
 type Rows = readonly TomlValue[];
 

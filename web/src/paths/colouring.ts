@@ -5,7 +5,7 @@ import { categoryColour, pathRamp, type Ramp } from '../view/colours';
 import { pathColour, type PathColour } from '../view/settings';
 import { runColour, shade } from '../view/theme';
 import { displayOf } from '../state/displayUnits';
-import { roundUp } from '../view/ticks';
+import { roundUp } from '../geometry/ticks';
 import { comparedPaths, shownPaths, type DrawnPaths } from './drawnPaths';
 
 export const pathColours: Record<PathColour, string> = {

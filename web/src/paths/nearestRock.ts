@@ -1,6 +1,6 @@
 // Picks a rock in a view.
 
-import { distanceToLine, type Pixel } from '../view/nearness';
+import { distanceToLine, type Pixel } from '../geometry/nearness';
 import type { DrawnPaths } from './drawnPaths';
 
 /// The rock with the trajectory nearest to a pixel, among those that pass the filter; null if none is within `within`

@@ -1,7 +1,7 @@
 import { shownMap, valueAt } from '../maps/shownMap';
 import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
-import { roundStep } from '../view/ticks';
+import { roundStep } from '../geometry/ticks';
 import { ToolHint } from './ToolHint';
 import { camera, contourInterval, pointer } from './picture';
 

@@ -2,7 +2,7 @@
 
 import type { Vector3 } from 'three';
 import { drawLabels, labelOf, placeLabels } from '../view/labels';
-import type { Box } from '../view/framing';
+import type { Box } from '../geometry/framing';
 import { cssColour } from '../view/theme';
 import type { Stage } from './stage';
 

@@ -1,9 +1,9 @@
 // Named views: of the result of the shown run, or of the whole model.
 
 import { Box3, Vector3 } from 'three';
-import { bestBox, heightOf, widthOf, type Box, type Placed } from '../view/framing';
-import type { Pixel } from '../view/nearness';
-import { outermost } from '../view/outermost';
+import { bestBox, heightOf, widthOf, type Box, type Placed } from '../geometry/framing';
+import type { Pixel } from '../geometry/nearness';
+import { outermost } from '../geometry/outermost';
 import type { Stage } from './stage';
 
 export const namedViews = {

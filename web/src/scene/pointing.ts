@@ -8,7 +8,7 @@ import { model } from '../state/model';
 import { Drag, dragOf, followPointer, handleAt, type DragView } from '../drag/drag';
 import { openMenu } from '../drag/menu';
 import { thingAt } from '../drag/things';
-import type { Pixel } from '../view/nearness';
+import type { Pixel } from '../geometry/nearness';
 import type { ModelScene } from './modelScene';
 import { namedViews, type NamedView } from './namedViews';
 import * as picture from './picture';

@@ -3,7 +3,7 @@
 import type { AnimatedView, Size } from '../animation/film';
 import { shownMap } from '../maps/shownMap';
 import { numberText } from '../units/numbers';
-import { printRatio } from '../view/png';
+import { printRatio } from '../figures/png';
 import { exaggeration } from '../view/settings';
 import { pictureSize, type SheetPicture } from '../view/sheet';
 import { inLight } from '../view/theme';

@@ -3,7 +3,7 @@
 
 import { Group, MOUSE, PerspectiveCamera, Raycaster, Scene, Sphere, Vector2, Vector3, WebGLRenderer, type Ray } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import type { Pixel } from '../view/nearness';
+import type { Pixel } from '../geometry/nearness';
 import { atRest, Pace, type Detail } from '../view/pace';
 
 const rest = 160; // ms without a change

@@ -5,7 +5,7 @@ import { effect, signal, untracked } from '@preact/signals';
 import type { Point3 } from '../api/types';
 import { opening } from '../state/document';
 import { reportFailure } from '../state/messages';
-import type { Pixel } from '../view/nearness';
+import type { Pixel } from '../geometry/nearness';
 
 /// A point on the terrain in the project's coordinates. In 2D, y is 0.
 export interface Place {

@@ -1,9 +1,9 @@
 // Draws the slope, grid and axes on a canvas in CSS pixels.
 
 import { materialColour } from '../view/colours';
-import { overlap, type Box } from '../view/framing';
+import { overlap, type Box } from '../geometry/framing';
 import { tickText } from '../units/numbers';
-import { roundStep, ticks } from '../view/ticks';
+import { roundStep, ticks } from '../geometry/ticks';
 import { pixelOf, placeOf, type Frame } from './frame';
 import type { Profile } from './profile';
 

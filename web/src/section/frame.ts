@@ -1,6 +1,6 @@
 // Conversion between metres of the section and pixels of its picture.
 
-import { heightOf, widthOf, type Box } from '../view/framing';
+import { heightOf, widthOf, type Box } from '../geometry/framing';
 
 export interface Frame {
   width: number;

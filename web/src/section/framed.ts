@@ -2,7 +2,7 @@
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { model } from '../state/model';
-import { alongLine, bestBox, type Box } from '../view/framing';
+import { alongLine, bestBox, type Box } from '../geometry/framing';
 import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
 import { watchOver } from '../view/over';
 import { equalAxes } from '../view/settings';

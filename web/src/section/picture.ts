@@ -16,7 +16,7 @@ import { drawAxes, drawGrid, drawSlope, type Look } from './drawGround';
 import { shownObserved } from '../calibration/observations';
 import { drawBarriers, drawObserved, drawOverlays, drawSeeders } from './drawMarks';
 import { drawChosen, drawEnds, drawMovingRocks } from './drawRocks';
-import type { Box } from '../view/framing';
+import type { Box } from '../geometry/framing';
 import { drawLabels, placeLabels } from '../view/labels';
 import { placeOf, type Frame } from './frame';
 import { frame, keepFramed, over, roomOf } from './framed';

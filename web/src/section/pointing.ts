@@ -7,7 +7,7 @@ import { thingAt } from '../drag/things';
 import type { Place } from '../scene/tool';
 import { finishTool, gripAt, tool } from '../scene/tool';
 import { chosen } from '../state/view';
-import type { Pixel } from '../view/nearness';
+import type { Pixel } from '../geometry/nearness';
 import { moved, pixelOf, placeOf, zoomed } from './frame';
 import { fit, frame } from './framed';
 import { pointer } from './picture';

@@ -5,7 +5,7 @@ import { getJson, Refused } from '../api/client';
 import type { Point2 } from '../api/types';
 import { reportFailure } from '../state/messages';
 import { build, model } from '../state/model';
-import { distanceToLine } from '../view/nearness';
+import { distanceToLine } from '../geometry/nearness';
 
 export interface Profile {
   model: string;

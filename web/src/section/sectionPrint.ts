@@ -1,7 +1,7 @@
 // The section for print.
 
 import type { AnimatedView, Size } from '../animation/film';
-import { printRatio } from '../view/png';
+import { printRatio } from '../figures/png';
 import { pictureSize, type SheetPicture } from '../view/sheet';
 import { inLight } from '../view/theme';
 import type { Frame } from './frame';

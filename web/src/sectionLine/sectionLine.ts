@@ -5,7 +5,7 @@ import { batch, effect, signal } from '@preact/signals';
 import { Refused, sendJson } from '../api/client';
 import type { GroundSection, Point2, Point3 } from '../api/types';
 import { draw } from '../model/drawing';
-import { rounded } from '../model/plan';
+import { rounded } from '../geometry/plan';
 import type { Waiting } from '../model/waitingRows';
 import { showOverlay, tool, useTool, type Overlay } from '../scene/tool';
 import { file } from '../state/document';

@@ -7,7 +7,7 @@ import { onGrid } from '../drag/snapping';
 import { grips, showOverlay, type GripDrag, type Overlay } from '../scene/tool';
 import { groundBelow, profile } from '../section/profile';
 import { markColours } from '../view/colours';
-import { roundStep } from '../view/ticks';
+import { roundStep } from '../geometry/ticks';
 import { kind, numbers, possible, problem, setNumbers, setStretch, slopePane, stretch, vertices } from './state';
 
 const in3d = ([x, z]: Point2): Point3 => [x, 0, z];

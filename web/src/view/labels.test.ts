@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { overlap, type Box } from './framing';
+import { overlap, type Box } from '../geometry/framing';
 import { placeLabels, type Label } from './labels';
 
 const room: Box = { left: 0, top: 0, right: 600, bottom: 300 };

@@ -1,7 +1,7 @@
 // Places names in a view without overlaps.
 
-import { overlap, type Box } from './framing';
-import type { Pixel } from './nearness';
+import { overlap, type Box } from '../geometry/framing';
+import type { Pixel } from '../geometry/nearness';
 
 /// A name with its size, its point, and the radius of the point's mark (`reach`).
 export interface Label {

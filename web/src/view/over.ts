@@ -1,6 +1,6 @@
 // The parts of a view covered by controls, legends and the status line.
 
-import type { Box } from './framing';
+import type { Box } from '../geometry/framing';
 
 const parts = '.view-bar, .legends > *, .status-line, .compass';
 const margin = 6; // pixels kept free around them

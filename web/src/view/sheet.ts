@@ -9,8 +9,8 @@ import { hasResults, shown } from '../state/runs';
 import { saveFile } from '../figures/files';
 import { counted, numberText } from '../units/numbers';
 import { drawLegends, type LegendData } from './legends';
-import { printPng, printRatio } from './png';
-import { roundStep } from './ticks';
+import { printPng, printRatio } from '../figures/png';
+import { roundStep } from '../geometry/ticks';
 
 /// A landscape A4 page without its margins, 267 mm by 180 mm, in CSS pixels.
 const sheet = { width: 1009, height: 680 };
