@@ -62,7 +62,7 @@ function(talus_bundle_figures bundle)
     set(esbuild ${CMAKE_COMMAND} -E env NODE_PATH=${D3_MODULES} ${ESBUILD})
   endif()
   file(GLOB sources CONFIGURE_DEPENDS ${web}/src/figures/*.ts ${web}/src/generated/columns.ts ${web}/src/geometry/*.ts
-    ${web}/src/settings/*.ts ${web}/src/units/*.ts)
+    ${web}/src/settings/conditions.ts ${web}/src/units/*.ts)
   add_custom_command(
     OUTPUT ${bundle}
     COMMAND ${esbuild} ${web}/src/figures/report.ts --bundle --format=iife --global-name=figures --minify

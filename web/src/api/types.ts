@@ -1,6 +1,6 @@
 // Responses of the server: docs/workbench-api.md.
 
-import type { WordOf } from '../model/names';
+import type { WordOf } from '../settings/names';
 
 export interface About {
   version: string;

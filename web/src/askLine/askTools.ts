@@ -3,7 +3,7 @@
 import type { Point2, Point3 } from '../api/types';
 import { draw } from '../model/drawing';
 import { dimension } from '../model/place';
-import { pathOf } from '../model/names';
+import { pathOf } from '../settings/names';
 import { rounded } from '../geometry/plan';
 import { grips, tool, useTool, type GripDrag } from '../scene/tool';
 import { valueAt } from '../state/document';

@@ -3,7 +3,7 @@
 import { getJson } from '../api/client';
 import type { Point2, Problem } from '../api/types';
 import { inFolder } from '../calibration/observations';
-import { isPointText } from '../model/fileEndings';
+import { isPointText } from '../settings/fileEndings';
 import { files, fittingName, uploadFiles } from '../model/files';
 import { file } from '../state/document';
 import { notify, resolve } from '../state/messages';

@@ -1,10 +1,10 @@
 // What a run was of, in few words for a sheet: its rock model, rocks and materials, from the project in its summary.
 
 import { numberText } from '../units/numbers';
-import { applies } from '../model/applies';
-import { constantKind, type KeyOf } from '../model/names';
-import { fieldOf } from '../model/settings';
-import { wordText } from '../model/words';
+import { applies } from '../settings/applies';
+import { constantKind, type KeyOf } from '../settings/names';
+import { fieldOf } from '../settings/declared';
+import { wordText } from '../settings/words';
 import type { TomlTable, TomlValue } from '../toml/format';
 
 /// Numbers may be texts, with the digits of the file.

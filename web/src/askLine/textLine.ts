@@ -1,8 +1,8 @@
 // A line from a text of points.
 
 import type { Point2 } from '../api/types';
-import { numberOf } from '../model/numbers';
-import { readPasted } from '../model/pasted';
+import { numberOf } from '../settings/numbers';
+import { readPasted } from '../settings/pasted';
 
 /// The points of a text with x and y in its first two columns, as if it were pasted; null if it has none.
 export function pointsOfText(text: string): Point2[] | null {

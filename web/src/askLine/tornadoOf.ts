@@ -4,7 +4,7 @@ import type { Interval } from '../api/line';
 import type { Change, Variation, WhatIfAnswer, WhatIfFigure } from '../api/whatIf';
 import { measured } from '../units/numbers';
 import type { TornadoBar } from '../figures/tornado';
-import type { Edit } from '../model/names';
+import type { Edit } from '../settings/names';
 import type { Displayed } from '../units/units';
 
 /// The unit is that of the files.

@@ -2,7 +2,7 @@
 
 import { computed } from '@preact/signals';
 import type { WhatIfChoices, WhatIfOptions } from '../api/whatIf';
-import { typedNumber } from '../model/numbers';
+import { typedNumber } from '../settings/numbers';
 import { keptOfProject } from '../state/ofProject';
 
 /// By factor what differs from the usual step: what was typed, or false if it is left out.

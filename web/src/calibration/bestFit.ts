@@ -1,6 +1,6 @@
 // The best fit of a calibration as edits of a project's text.
 
-import { pathOf, type Edit } from '../model/names';
+import { pathOf, type Edit } from '../settings/names';
 import { valuesOf } from '../toml/values';
 
 /// The edit of a setting as the engine writes it: "material.0.roughness_deg={ mean = 4, ... }".

@@ -1,8 +1,8 @@
 // The numbers of a project that a calibration may seek, with suggested ranges.
 
 import type { LibraryMaterial } from '../api/types';
-import type { Range } from '../model/schema';
-import { tableOf } from '../model/settings';
+import type { Range } from '../settings/schema';
+import { tableOf } from '../settings/declared';
 import { hasEffect } from '../settings/conditions';
 import type { TomlTable } from '../toml/format';
 

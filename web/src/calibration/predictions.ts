@@ -4,7 +4,7 @@ import { api } from '../api/client';
 import type { CalibrationSummary } from '../api/calibration';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import type { Edit } from '../model/names';
+import type { Edit } from '../settings/names';
 import { textOf } from '../runs/runText';
 import { freshStem, openDerived } from '../start/derivedProject';
 import { file } from '../state/document';

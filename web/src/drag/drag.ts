@@ -3,10 +3,10 @@
 import { signal } from '@preact/signals';
 import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
-import { consequences } from '../model/consequences';
+import { consequences } from '../settings/consequences';
 import { is2d } from '../model/place';
 import { rounded } from '../geometry/plan';
-import { rowEdits } from '../model/rows';
+import { rowEdits } from '../settings/rows';
 import { inTurn, overlays, showOverlay, type GripDrag, type Overlay } from '../scene/tool';
 import { edit, endStep, valueAt, values } from '../state/document';
 import { model } from '../state/model';

@@ -4,7 +4,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
 import { is2d, nameOf } from '../model/place';
-import type { Path, TableName } from '../model/names';
+import type { Path, TableName } from '../settings/names';
 import { showOverlay, tool } from '../scene/tool';
 import { groundBelow, profile } from '../section/profile';
 import { rowsOf, syntaxError, values } from '../state/document';

@@ -2,12 +2,12 @@
 
 import { signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
-import { consequences } from '../model/consequences';
+import { consequences } from '../settings/consequences';
 import { drawable, onPlan } from '../model/geometryTools';
-import type { Path, TableName } from '../model/names';
+import type { Path, TableName } from '../settings/names';
 import { is2d, nameOf } from '../model/place';
 import { rounded } from '../geometry/plan';
-import { rowEdits } from '../model/rows';
+import { rowEdits } from '../settings/rows';
 import { add, copy, remove } from '../model/things';
 import { edit, rowsOf, valueAt, values } from '../state/document';
 import { notify } from '../state/messages';

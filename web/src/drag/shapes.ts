@@ -1,7 +1,7 @@
 // The parts of a project that have vertices in the view: release places and lines, barriers, areas, the section.
 
-import type { Path } from '../model/names';
-import { isTable } from '../model/tables';
+import type { Path } from '../settings/names';
+import { isTable } from '../settings/tables';
 import type { TomlTable, TomlValue } from '../toml/format';
 
 export interface Shape {

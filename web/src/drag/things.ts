@@ -1,7 +1,7 @@
 // The seeder, barrier, collector or area under a pixel of a view.
 
 import type { Point3 } from '../api/types';
-import { pathOf, type Path } from '../model/names';
+import { pathOf, type Path } from '../settings/names';
 import { model } from '../state/model';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { layers } from '../view/settings';

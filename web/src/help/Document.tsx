@@ -7,7 +7,7 @@ import { reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
 import { textOf } from './documents';
 import { blocksOf, sectionOf, spansOf, type Block } from './markdown';
-import type { Topic } from '../model/schema';
+import type { Topic } from '../settings/schema';
 import './help.css';
 
 /// The topic that is open; null: none.

@@ -1,8 +1,8 @@
 // Sections of the documentation on settings.
 
-import type { Topic } from '../model/schema';
-import { fieldOf, tableOf, tables } from '../model/settings';
-import type { Path } from '../model/names';
+import type { Topic } from '../settings/schema';
+import { fieldOf, tableOf, tables } from '../settings/declared';
+import type { Path } from '../settings/names';
 
 export const topics: readonly Topic[] = tables.flatMap(({ topic, fields }) =>
   [topic, ...fields.map((field) => field.topic)].filter((one) => one !== undefined),

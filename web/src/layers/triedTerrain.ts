@@ -1,7 +1,7 @@
 // Whether a file can be the terrain, as the engine says: it builds a project of the file alone.
 
 import type { Problem } from '../api/types';
-import type { KeyOf } from '../model/names';
+import type { KeyOf } from '../settings/names';
 import { modelOf } from '../state/model';
 import { pairText } from '../toml/format';
 import { mostOfSections, type Outcome, type Tried } from './uses';

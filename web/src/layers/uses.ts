@@ -1,8 +1,8 @@
 // What a dropped file of a GIS can be in the project.
 
 import type { Model, Point2, Problem } from '../api/types';
-import type { Edit, Row } from '../model/names';
-import type { FileKind } from '../model/fileEndings';
+import type { Edit, Row } from '../settings/names';
+import type { FileKind } from '../settings/fileEndings';
 
 export type Use = 'layer' | 'barrier' | 'collector' | 'release' | 'ground' | 'ask' | 'section' | 'terrain' | 'store';
 

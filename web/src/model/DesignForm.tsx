@@ -1,5 +1,5 @@
 import { edit, values } from '../state/document';
-import { defaultOf } from './names';
+import { defaultOf } from '../settings/names';
 import { TableForm } from './form/TableForm';
 
 /// The barrier design, which is optional: it is made if the project has its table.

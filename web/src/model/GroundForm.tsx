@@ -10,10 +10,10 @@ import { materialColour } from '../view/colours';
 import { Field } from './form/Field';
 import { materialNames } from './form/references';
 import { TableForm } from './form/TableForm';
-import { changeWay, groundWays, wayOf, waysFor, type GroundWay } from './groundWays';
+import { changeWay, groundWays, wayOf, waysFor, type GroundWay } from '../settings/groundWays';
 import { is2d, nameOf, tableAt } from './place';
-import { fieldOf } from './settings';
-import { kindOf } from './terrainKinds';
+import { fieldOf } from '../settings/declared';
+import { kindOf } from '../settings/terrainKinds';
 
 export function GroundForm() {
   const [picked, setPicked] = useState<GroundWay | null>(null);

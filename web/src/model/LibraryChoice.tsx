@@ -6,10 +6,10 @@ import { Dialog } from '../ui/Dialog';
 import { library, loadLibrary } from './library';
 import { isNameOf } from './likeness';
 import { addOwn, loadOwn, ownMaterials, removeOwn } from './ownMaterials';
-import type { KeyOf } from './names';
+import type { KeyOf } from '../settings/names';
 import { freshName } from './place';
 import { append } from './things';
-import { valueText } from './words';
+import { valueText } from '../settings/words';
 
 const allColumns: [KeyOf<'material'>, string][] = [
   ['normal_restitution', 'Rn'],

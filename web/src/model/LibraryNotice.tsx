@@ -3,7 +3,7 @@
 import { useEffect } from 'preact/hooks';
 import { nameOf, put, tableAt } from './place';
 import { rowsOf } from '../state/document';
-import type { Path } from './names';
+import type { Path } from '../settings/names';
 import { library, loadLibrary, titleOf } from './library';
 import { likeness } from './likeness';
 

@@ -3,13 +3,13 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../state/document';
 import { chosen, helpOpen } from '../state/view';
-import type { Path, TableName } from './names';
+import type { Path, TableName } from '../settings/names';
 import { DocumentDialog } from '../help/Document';
 import { DraftNotice } from './DraftNotice';
 import { TableForm } from './form/TableForm';
 import { Words } from './form/Words';
-import { tableOf } from './settings';
-import { sectionOf } from './sections';
+import { tableOf } from '../settings/declared';
+import { sectionOf } from '../settings/sections';
 import { Outline } from './Outline';
 import { problemsOfTable, sentenceOf, toneOf } from './awaited';
 import { DesignForm } from './DesignForm';

@@ -5,14 +5,14 @@ import { realProblemsAt, toneOf } from './awaited';
 import { chosen } from '../state/view';
 import { NextSteps } from './NextSteps';
 import { summaryOf } from './summaries';
-import { sections, type Section } from './sections';
+import { sections, type Section } from '../settings/sections';
 import { add, nextSteps } from './things';
 import { is2d, nameOf } from './place';
 import { materialColour } from '../view/colours';
 import { LibraryChoice } from './LibraryChoice';
 import { materialNames } from './form/references';
-import { cellText } from './numbers';
-import type { Path } from './names';
+import { cellText } from '../settings/numbers';
+import type { Path } from '../settings/names';
 
 function Badge({ path }: { path: string }) {
   const list = realProblemsAt(path);

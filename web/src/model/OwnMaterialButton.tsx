@@ -1,7 +1,7 @@
 import { useEffect, useState } from 'preact/hooks';
 import { attempt, reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
-import type { Path } from './names';
+import type { Path } from '../settings/names';
 import { loadOwn, namesFile, ownFile, ownMaterials, saveOwn } from './ownMaterials';
 import { nameOf, tableAt } from './place';
 

@@ -4,8 +4,8 @@ import type { Problem } from '../api/types';
 import { syntaxError } from '../state/document';
 import { chosen, sidePanel } from '../state/view';
 import { counted } from '../units/numbers';
-import { pathOf, type Path } from './names';
-import { sectionOf } from './sections';
+import { pathOf, type Path } from '../settings/names';
+import { sectionOf } from '../settings/sections';
 import { realProblems, sentenceOf, toneOf } from './awaited';
 
 /// The path of the form in which a problem's field is.

@@ -10,9 +10,9 @@ import { Field } from './form/Field';
 import { TableForm } from './form/TableForm';
 import { MoreFiles } from './MoreFiles';
 import { tableAt } from './place';
-import { fieldOf } from './settings';
+import { fieldOf } from '../settings/declared';
 import { terrainOfFile } from './terrainFile';
-import { changeTo, kindOf, terrainKinds, type TerrainKind } from './terrainKinds';
+import { changeTo, kindOf, terrainKinds, type TerrainKind } from '../settings/terrainKinds';
 
 export function TerrainForm() {
   const terrain = tableAt(['terrain']);

@@ -7,7 +7,7 @@ import { edit, opening, valueAt } from '../state/document';
 import { model } from '../state/model';
 import { shading } from '../view/settings';
 import { draw } from './drawing';
-import { materialsWith } from './groundWays';
+import { materialsWith } from '../settings/groundWays';
 import { onPlan } from './geometryTools';
 import { entriesUnchanged, freshName, nameOf, tableAt } from './place';
 import { materialNames } from './form/references';

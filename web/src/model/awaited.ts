@@ -4,14 +4,14 @@ import { computed } from '@preact/signals';
 import type { Problem } from '../api/types';
 import { values } from '../state/document';
 import { layerProblems, problems, problemsAt } from '../state/model';
-import { pathOf, type Path } from './names';
+import { pathOf, type Path } from '../settings/names';
 import { columnsAt } from './columns';
 import { pathText } from './place';
 import { sentence } from './problemText';
-import { fieldOf } from './settings';
+import { fieldOf } from '../settings/declared';
 import { nextSteps } from './things';
 import { waitingAt } from './unfinished';
-import { placeInTable } from './waitingRows';
+import { placeInTable } from '../settings/waitingRows';
 
 /// Whether a problem only says that something is missing which a next step asks for.
 const isAwaited = (problem: Problem, keys: string[]) =>

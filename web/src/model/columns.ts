@@ -1,6 +1,6 @@
 // Column names of settings with rows of numbers.
 
-import type { Path } from './names';
+import type { Path } from '../settings/names';
 import { is2d } from './place';
 
 /// The columns of a setting with one or more rows.

@@ -5,7 +5,7 @@ import { api, Refused } from '../api/client';
 import type { FileKind, FolderFile } from '../api/types';
 import { reportFailure } from '../state/messages';
 import { rebuild } from '../state/model';
-import type { Name } from './names';
+import type { Name } from '../settings/names';
 import { askToReplace } from './replacing';
 
 export const files = signal<FolderFile[]>([]);

@@ -3,10 +3,10 @@
 import type { Point3 } from '../api/types';
 import { edit, valueAt, values } from '../state/document';
 import { model } from '../state/model';
-import type { Path, TableName } from './names';
+import type { Path, TableName } from '../settings/names';
 import type { TomlValue } from '../toml/format';
 import { shading } from '../view/settings';
-import { consequences } from './consequences';
+import { consequences } from '../settings/consequences';
 import { draw, type Drawing } from './drawing';
 import { entriesUnchanged, is2d, tableAt, thingOf } from './place';
 import { rounded } from '../geometry/plan';

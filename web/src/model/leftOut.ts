@@ -1,10 +1,10 @@
 // Describes incomplete entries.
 
-import { pathOf } from './names';
+import { pathOf } from '../settings/names';
 import { thingOf } from './place';
-import { fieldOf } from './settings';
+import { fieldOf } from '../settings/declared';
 import { hasTyped, unfinished } from './unfinished';
-import { isBlank, rowsText, type Waiting } from './waitingRows';
+import { isBlank, rowsText, type Waiting } from '../settings/waitingRows';
 
 /// "Section of terrain, row 20".
 export function placeOf(path: string, rows: readonly Waiting[]): string {

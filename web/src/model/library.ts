@@ -4,11 +4,11 @@ import { signal } from '@preact/signals';
 import { api } from '../api/client';
 import type { LibraryMaterial } from '../api/types';
 import { attempt } from '../state/messages';
-import type { Path } from './names';
+import type { Path } from '../settings/names';
 import type { TomlValue } from '../toml/format';
 import { tableAt } from './place';
-import { fieldOf } from './settings';
-import { valueText } from './words';
+import { fieldOf } from '../settings/declared';
+import { valueText } from '../settings/words';
 
 export const library = signal<LibraryMaterial[]>([]);
 

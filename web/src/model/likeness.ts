@@ -2,8 +2,8 @@
 
 import type { LibraryMaterial } from '../api/types';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { constantKind, type KeyOf, type Row } from './names';
-import { isTable } from './tables';
+import { constantKind, type KeyOf, type Row } from '../settings/names';
+import { isTable } from '../settings/tables';
 
 export interface Likeness {
   /// The entry whose name it has, or whose values it takes.

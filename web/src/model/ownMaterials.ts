@@ -10,10 +10,10 @@ import { notify } from '../state/messages';
 import { writeInTurn } from '../state/writes';
 import { edited, valuesOf } from '../toml/edit';
 import type { TomlTable } from '../toml/format';
-import type { Row } from './names';
+import type { Row } from '../settings/names';
 import { readFolder } from './files';
 import { freshName } from './place';
-import { isTable } from './tables';
+import { isTable } from '../settings/tables';
 import { append } from './things';
 
 export const ownFile = 'own.materials.toml';

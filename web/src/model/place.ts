@@ -3,15 +3,15 @@
 import { computed } from '@preact/signals';
 import { edit, rowsOf, valueAt, values } from '../state/document';
 import { model } from '../state/model';
-import { defaultOf, type Edit, type Path, type Row, type TableName } from './names';
+import { defaultOf, type Edit, type Path, type Row, type TableName } from '../settings/names';
 import type { TomlValue } from '../toml/format';
-import { consequences } from './consequences';
-import { renaming, type FormerName } from './renames';
-import type { Field } from './schema';
-import { sections } from './sections';
-import { isTable } from './tables';
+import { consequences } from '../settings/consequences';
+import { renaming, type FormerName } from '../settings/renames';
+import type { Field } from '../settings/schema';
+import { sections } from '../settings/sections';
+import { isTable } from '../settings/tables';
 
-export { isTable } from './tables';
+export { isTable } from '../settings/tables';
 
 /// A table of the project; empty if it does not exist.
 export function tableAt<T extends TableName>(path: readonly [T] | readonly [T, number]): Row<T>;

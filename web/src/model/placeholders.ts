@@ -2,10 +2,10 @@
 // are added for missing ones.
 
 import type { Model, Problem } from '../api/types';
-import { pathOf, type Edit, type Row, type TableName } from './names';
+import { pathOf, type Edit, type Row, type TableName } from '../settings/names';
 import { edited, valuesOf } from '../toml/edit';
 import type { TomlValue } from '../toml/format';
-import { isTable } from './tables';
+import { isTable } from '../settings/tables';
 
 const name = 'placeholder for a seeder';
 

@@ -1,8 +1,8 @@
 // Adapts the engine's messages to the forms: rows and columns as in their tables, values as typed.
 
 import type { Problem } from '../api/types';
-import { isNumeral, numberOf } from './numbers';
-import type { Kind } from './schema';
+import { isNumeral, numberOf } from '../settings/numbers';
+import type { Kind } from '../settings/schema';
 
 const words: Partial<Record<Kind['kind'], string[]>> = {
   tuple: ['column'],

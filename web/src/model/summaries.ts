@@ -6,9 +6,9 @@ import type { TomlValue } from '../toml/format';
 import { counted } from '../units/numbers';
 import { library } from './library';
 import { likeness } from './likeness';
-import { defaultOf, type Row, type TableName } from './names';
+import { defaultOf, type Row, type TableName } from '../settings/names';
 import { isTable, tableAt } from './place';
-import { valueText, wordText } from './words';
+import { valueText, wordText } from '../settings/words';
 
 const number = (value: TomlValue | undefined) => (isTable(value) ? valueText(value.mean) : valueText(value));
 

@@ -4,10 +4,10 @@ import { edit } from '../state/document';
 import { notify, reportFailure } from '../state/messages';
 import { chosen, sidePanel } from '../state/view';
 import { fileFormats } from '../generated/schema';
-import { type FileKind } from './fileEndings';
+import { type FileKind } from '../settings/fileEndings';
 import { tableAt } from './place';
-import { changeTo, terrainKinds } from './terrainKinds';
-import type { KeyOf } from './names';
+import { changeTo, terrainKinds } from '../settings/terrainKinds';
+import type { KeyOf } from '../settings/names';
 
 /// What a file can be, the likeliest terrain first: the kind and the key of the terrain. A vector file is as often
 /// something else, an area of the ground or a place where rocks start; a drawing is not.

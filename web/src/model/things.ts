@@ -2,11 +2,11 @@
 
 import { edit, rowsOf, values } from '../state/document';
 import { chosen } from '../state/view';
-import { defaultOf, type Edit, type KeyOf, type Row, type TableName } from './names';
+import { defaultOf, type Edit, type KeyOf, type Row, type TableName } from '../settings/names';
 import type { TomlTable } from '../toml/format';
-import { removal } from './consequences';
-import { tableOf } from './settings';
-import { kindOf } from './terrainKinds';
+import { removal } from '../settings/consequences';
+import { tableOf } from '../settings/declared';
+import { kindOf } from '../settings/terrainKinds';
 import { freshName, is2d, nameOf, tableAt } from './place';
 
 const words: Partial<Record<TableName, string>> = {

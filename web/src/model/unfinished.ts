@@ -5,8 +5,8 @@ import { effect, signal } from '@preact/signals';
 import { storageKey } from '../state/about';
 import { file, values } from '../state/document';
 import type { TomlTable } from '../toml/format';
-import { following, stillOpen, type Unfinished } from './following';
-import { isBlank, type Waiting } from './waitingRows';
+import { following, stillOpen, type Unfinished } from '../settings/following';
+import { isBlank, type Waiting } from '../settings/waitingRows';
 
 export const unfinished = signal<Unfinished>({});
 

@@ -2,7 +2,7 @@
 
 import { useCallback, useState } from 'preact/hooks';
 import type { GroundSection, Point2 } from '../api/types';
-import { cellsOf } from '../model/rows';
+import { cellsOf } from '../settings/rows';
 import { EditTable } from '../model/form/EditTable';
 import { extentOfProfile, profile } from '../figures/profile';
 import type { Room } from '../figures/plot';

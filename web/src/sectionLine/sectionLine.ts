@@ -6,7 +6,7 @@ import { Refused, sendJson } from '../api/client';
 import type { GroundSection, Point2, Point3 } from '../api/types';
 import { draw } from '../model/drawing';
 import { rounded } from '../geometry/plan';
-import type { Waiting } from '../model/waitingRows';
+import type { Waiting } from '../settings/waitingRows';
 import { showOverlay, tool, useTool, type Overlay } from '../scene/tool';
 import { file } from '../state/document';
 import { build, model } from '../state/model';

@@ -2,8 +2,8 @@
 // seeders that start in the corridor, and the barriers that cross the line.
 
 import type { GroundSection, Model, ModelBarrier, ModelSeeder, Point2 } from '../api/types';
-import type { Edit, Path, Row } from '../model/names';
-import { isTable } from '../model/tables';
+import type { Edit, Path, Row } from '../settings/names';
+import { isTable } from '../settings/tables';
 import { edited } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { placeOnLine } from './corridor';

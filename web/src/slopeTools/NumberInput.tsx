@@ -1,7 +1,7 @@
 // A number that is typed; a decimal comma is accepted.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { typedNumber } from '../model/numbers';
+import { typedNumber } from '../settings/numbers';
 
 interface Props {
   title: string;

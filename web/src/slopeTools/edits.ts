@@ -1,7 +1,7 @@
 // A changed slope as edits of the project's text: rows outside of the stretch keep their text and comments.
 
-import type { Edit, Path } from '../model/names';
-import { valueIn } from '../model/tables';
+import type { Edit, Path } from '../settings/names';
+import { valueIn } from '../settings/tables';
 import { isSame } from '../toml/differences';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { asListed, type Slope } from './slope';

@@ -1,7 +1,7 @@
 // A slope in section while its shape is changed: pure functions of its vertices, materials and standard deviations.
 
 import type { Point2 } from '../api/types';
-import { isTable } from '../model/tables';
+import { isTable } from '../settings/tables';
 import type { TomlTable, TomlValue } from '../toml/format';
 
 export interface Slope {

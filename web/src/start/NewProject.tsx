@@ -2,7 +2,7 @@
 
 import { useRef, useState } from 'preact/hooks';
 import { chosenFiles, files, uploadFiles } from '../model/files';
-import { endingsOf } from '../model/fileEndings';
+import { endingsOf } from '../settings/fileEndings';
 import { terrainAmong, terrainOfFile } from '../model/terrainFile';
 import { api } from '../api/client';
 import { isTableOrLines, takeStored } from '../layers/dropped';

@@ -1,6 +1,6 @@
 // Places in the workbench as text after the # of the page's address: "#/tutorial-1/slope.toml?panel=runs&tab=rock&rock=12".
 
-import { pathOf, type Path } from '../model/names';
+import { pathOf, type Path } from '../settings/names';
 import { resultsTabs, sidePanels, type ResultsTab, type SidePanel } from './tabs';
 
 export interface Place {

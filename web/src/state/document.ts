@@ -2,7 +2,7 @@
 // and every change is a change of the text.
 
 import { batch, computed, effect, signal } from '@preact/signals';
-import type { Edit, Path, Row, TableName } from '../model/names';
+import type { Edit, Path, Row, TableName } from '../settings/names';
 import { edited, valuesOf } from '../toml/edit';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { notify, resolve, resolveAll } from './messages';

@@ -2,7 +2,7 @@
 
 import { batch, effect } from '@preact/signals';
 import { schema } from '../generated/schema';
-import type { Path, TableName } from '../model/names';
+import type { Path, TableName } from '../settings/names';
 import { afterTyping } from '../ui/typing';
 import { camera, wantedCamera } from '../view/camera';
 import { addressOf, isStep, placeOf, type Place } from './address';

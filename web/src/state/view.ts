@@ -1,7 +1,7 @@
 // The state of the page: selection, open panels, theme.
 
 import { signal } from '@preact/signals';
-import type { Path } from '../model/names';
+import type { Path } from '../settings/names';
 import { kept } from './kept';
 import { keptOfProject, ofProject } from './ofProject';
 import type { ResultsTab, SidePanel } from './tabs';

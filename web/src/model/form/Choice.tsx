@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { TomlValue } from '../../toml/format';
-import { cellText } from '../numbers';
-import { wordText } from '../words';
+import { cellText } from '../../settings/numbers';
+import { wordText } from '../../settings/words';
 
 interface Props {
   id?: string;

@@ -3,7 +3,7 @@
 import { valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
 import { pathText, put, underLaws } from '../place';
-import { absentText, valueText, wordText } from '../words';
+import { absentText, valueText, wordText } from '../../settings/words';
 import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';
 import { idOf, problemsId, type FieldProps } from './fieldProps';

@@ -2,7 +2,7 @@
 
 import { useEffect, useState } from 'preact/hooks';
 import { api } from '../../api/client';
-import type { Path } from '../names';
+import type { Path } from '../../settings/names';
 import type { TomlTable } from '../../toml/format';
 import { jsonText } from '../../toml/json';
 import { numberText } from '../../units/numbers';

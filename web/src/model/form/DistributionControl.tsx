@@ -2,13 +2,13 @@
 
 import { edit, valueAt } from '../../state/document';
 import type { Problem } from '../../api/types';
-import { applies } from '../applies';
+import { applies } from '../../settings/applies';
 import type { TomlTable, TomlValue } from '../../toml/format';
 import { problemsOf } from '../awaited';
 import { inheritedText, inheritedAt } from '../library';
-import { constantKind, sampleKind } from '../names';
+import { constantKind, sampleKind } from '../../settings/names';
 import { isTable, pathText, put, thingOf } from '../place';
-import { absentText, valueText } from '../words';
+import { absentText, valueText } from '../../settings/words';
 import { Choice } from './Choice';
 import { Curve } from './Curve';
 import { FileControl } from './FileControl';

@@ -1,5 +1,5 @@
 import { model } from '../../state/model';
-import type { Path } from '../names';
+import type { Path } from '../../settings/names';
 import { drawable } from '../geometryTools';
 
 /// Starts drawing a setting in the view.

@@ -6,9 +6,9 @@ import { reportFailure } from '../../state/messages';
 import { problemsAt } from '../../state/model';
 import { chosenFiles, files, fittingFiles, fittingName, loadFiles, relativeTo, uploadFiles } from '../files';
 import { MoreFiles } from '../MoreFiles';
-import { cellText } from '../numbers';
+import { cellText } from '../../settings/numbers';
 import { pathText, put } from '../place';
-import { absentText } from '../words';
+import { absentText } from '../../settings/words';
 import { idOf, problemsId, type FieldProps } from './fieldProps';
 import type { TomlValue } from '../../toml/format';
 

@@ -1,8 +1,8 @@
 import { reading } from '../../help/Document';
 import { topicOf } from '../../help/topics';
-import type { Path } from '../names';
-import type { Field } from '../schema';
-import { absentText, rangeText } from '../words';
+import type { Path } from '../../settings/names';
+import type { Field } from '../../settings/schema';
+import { absentText, rangeText } from '../../settings/words';
 import { Words } from './Words';
 
 /// The location of a setting in the file: "in [analysis]".

@@ -2,7 +2,7 @@ import { useEffect } from 'preact/hooks';
 import { valueAt } from '../../state/document';
 import { library, loadLibrary, titleOf } from '../library';
 import { put } from '../place';
-import { absentText } from '../words';
+import { absentText } from '../../settings/words';
 import { Choice } from './Choice';
 import type { Common, FieldProps } from './fieldProps';
 

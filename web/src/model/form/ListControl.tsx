@@ -1,5 +1,5 @@
 import type { TomlValue } from '../../toml/format';
-import { cellText, typedList } from '../numbers';
+import { cellText, typedList } from '../../settings/numbers';
 import { TypedInput } from './TypedInput';
 
 interface Props {

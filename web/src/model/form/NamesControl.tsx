@@ -6,7 +6,7 @@ import { isTable, thingOf } from '../place';
 import { Choice } from './Choice';
 import type { FieldProps } from './fieldProps';
 import { materialNames } from './references';
-import { chosenName } from '../names';
+import { chosenName } from '../../settings/names';
 
 export function NamesControl({ field, path }: FieldProps) {
   const [fresh, setFresh] = useState('');

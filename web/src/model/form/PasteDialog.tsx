@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { Dialog } from '../../ui/Dialog';
 import { counted } from '../../units/numbers';
-import { readPasted, withoutNames, type Commas } from '../pasted';
+import { readPasted, withoutNames, type Commas } from '../../settings/pasted';
 
 export interface Cell {
   row: number;

@@ -3,12 +3,12 @@
 import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../state/document';
 import { problemsAt } from '../../state/model';
-import type { Path } from '../names';
+import type { Path } from '../../settings/names';
 import type { TomlValue } from '../../toml/format';
 import { isSame } from '../../toml/differences';
 import { counted } from '../../units/numbers';
 import { pathText } from '../place';
-import { cellsOf, rowEdits } from '../rows';
+import { cellsOf, rowEdits } from '../../settings/rows';
 import { waitingAt } from '../unfinished';
 import { EditTable } from './EditTable';
 import type { FieldProps } from './fieldProps';

@@ -2,9 +2,9 @@
 
 import { edit, valueAt } from '../../state/document';
 import { model, problemsAt } from '../../state/model';
-import type { Path } from '../names';
+import type { Path } from '../../settings/names';
 import { counted } from '../../units/numbers';
-import { cellText } from '../numbers';
+import { cellText } from '../../settings/numbers';
 import { is2d, pathText, tableAt } from '../place';
 import { Choice } from './Choice';
 import { problemsId, type FieldProps } from './fieldProps';

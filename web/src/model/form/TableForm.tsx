@@ -3,12 +3,12 @@
 import { useState } from 'preact/hooks';
 import { edit, valueAt, values } from '../../state/document';
 import { problemsOf } from '../awaited';
-import type { Name, Path } from '../names';
+import type { Name, Path } from '../../settings/names';
 import { tableAt, thingOf } from '../place';
-import type { Field as Setting } from '../schema';
-import { choicesOf, groupsIn, isOffered, type Group } from '../groups';
-import type { Table } from '../schema';
-import { tableOf } from '../settings';
+import type { Field as Setting } from '../../settings/schema';
+import { choicesOf, groupsIn, isOffered, type Group } from '../../settings/groups';
+import type { Table } from '../../settings/schema';
+import { tableOf } from '../../settings/declared';
 import { Field } from './Field';
 
 const isGiven = (path: Path) => valueAt(path) !== undefined || problemsOf(path).length > 0;

@@ -2,10 +2,10 @@
 
 import { valueAt } from '../../state/document';
 import type { TomlValue } from '../../toml/format';
-import { cellText } from '../numbers';
+import { cellText } from '../../settings/numbers';
 import { put } from '../place';
-import { chosenWords, wordsValue } from '../wordChoice';
-import { wordText } from '../words';
+import { chosenWords, wordsValue } from '../../settings/wordChoice';
+import { wordText } from '../../settings/words';
 import type { FieldProps } from './fieldProps';
 
 export function WordsControl({ field, path, words }: FieldProps & { words: string[] }) {

@@ -1,8 +1,8 @@
 // Common properties of fields and their controls.
 
-import type { Path } from '../names';
+import type { Path } from '../../settings/names';
 import { problemsOf } from '../awaited';
-import type { Field as Setting } from '../schema';
+import type { Field as Setting } from '../../settings/schema';
 
 export interface FieldProps {
   field: Setting;

@@ -2,11 +2,11 @@
 
 import { rowsOf, valueAt } from '../../state/document';
 import { nameOf, put } from '../place';
-import { absentText } from '../words';
-import { cellText } from '../numbers';
+import { absentText } from '../../settings/words';
+import { cellText } from '../../settings/numbers';
 import { Choice } from './Choice';
 import type { Common, FieldProps } from './fieldProps';
-import type { KeyOf, TableName } from '../names';
+import type { KeyOf, TableName } from '../../settings/names';
 
 const names = (key: TableName) => rowsOf(key).map((_, index) => nameOf(key, index));
 export const materialNames = () => names('material');

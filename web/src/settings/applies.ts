@@ -2,7 +2,7 @@
 
 import type { TomlTable } from '../toml/format';
 import { schema } from '../generated/schema';
-import { hasEffect, isMet, type Condition, type Needs } from '../settings/conditions';
+import { hasEffect, isMet, type Condition, type Needs } from './conditions';
 
 interface Declared {
   default?: unknown;

@@ -4,7 +4,7 @@ import type { Edit, KeyOf, Row } from './names';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { applies } from './applies';
 import { endingsOf } from './fileEndings';
-import { fieldOf } from './settings';
+import { fieldOf } from './declared';
 
 export interface TerrainKind {
   name: string;

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { groupsIn } from './groups';
-import { tables } from './settings';
+import { tables } from './declared';
 
 test('the form of each table shows each of its settings once', () => {
   for (const table of tables) {

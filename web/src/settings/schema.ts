@@ -1,6 +1,6 @@
 // The tables and settings of the project file for the forms, read from the schema.
 
-import type { Condition } from '../settings/conditions';
+import type { Condition } from './conditions';
 import type { Name, TableName } from './names';
 import { titleOf, unitText } from './titles';
 

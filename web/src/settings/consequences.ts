@@ -7,7 +7,7 @@ import { holds } from './applies';
 import { rowsBefore, segmentsBefore } from './rowMatch';
 import { rowEdits } from './rows';
 import type { Field } from './schema';
-import { tableOf } from './settings';
+import { tableOf } from './declared';
 import { isTable, valueIn } from './tables';
 
 const listIn = (values: TomlTable, path: Path): TomlValue[] => {
