@@ -2,13 +2,13 @@
 
 import { useEffect } from 'preact/hooks';
 import { unitSystem } from './state/displayUnits';
-import { isStale } from './state/model';
+import { isStale } from './project/model';
 import { isAsking, sidePanel } from './state/view';
 import { AskCard } from './askLine/AskCard';
 import { takeLineFiles } from './askLine/lineFiles';
 import { ModelPanel } from './model/ModelPanel';
-import { dimension } from './model/place';
-import { listenToDrops } from './model/terrainFile';
+import { dimension } from './project/place';
+import { listenToDrops } from './project/terrainFile';
 import { SlopeCard } from './slopeTools/SlopeCard';
 import { slopePane } from './slopeTools/state';
 import { TimeBar } from './paths/TimeBar';

@@ -3,17 +3,17 @@
 import { useEffect } from 'preact/hooks';
 import { api } from './api/client';
 import { about } from './state/about';
-import { file } from './state/document';
+import { file } from './project/document';
 import { goToAddress, listenToHistory } from './state/history';
 import { reportFailure } from './state/messages';
-import { lastOpen, open } from './state/opening';
+import { lastOpen, open } from './project/opening';
 import { follow } from './state/runs';
 import { ReplaceDialog } from './model/ReplaceDialog';
 import { StartPage } from './start/StartPage';
 import { Messages } from './ui/Messages';
 import { Workbench } from './Workbench';
 import { listenToKeys } from './ui/keys';
-import { listenToTyping } from './ui/typing';
+import { listenToTyping } from './project/typing';
 
 async function begin() {
   about.value = await api.about();

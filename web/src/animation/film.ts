@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 import { saveFile } from '../figures/files';
 import { blocksLoaded } from '../paths/drawnBlocks';
 import { endTime, goTo, pause, time } from '../paths/playback';
-import { file, fileStem, values } from '../state/document';
+import { file, fileStem, values } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { shown } from '../state/runs';
 import { frameCount, lastDelay, timesOf, type Plan } from './frames';

@@ -1,12 +1,12 @@
 // What is asked: drawn, taken from the project, or read from a file.
 
 import { useRef } from 'preact/hooks';
-import { dimension } from '../model/place';
-import { chosenFiles } from '../model/files';
+import { dimension } from '../project/place';
+import { chosenFiles } from '../project/files';
 import { TypedInput } from '../model/form/TypedInput';
-import { ofProject } from '../state/ofProject';
+import { ofProject } from '../project/ofProject';
 import { reportFailure } from '../state/messages';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { shownPaths } from '../paths/drawnPaths';
 import { ask, asked, kitEnergy, kitHeight } from './asked';
 import { drawAsked, isDrawing, lineOfBarrier } from './askTools';

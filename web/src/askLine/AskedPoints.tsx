@@ -3,10 +3,10 @@
 import { useState } from 'preact/hooks';
 import type { Point2 } from '../api/types';
 import { EditTable } from '../model/form/EditTable';
-import { dimension } from '../model/place';
+import { dimension } from '../project/place';
 import { cellsOf } from '../settings/rows';
 import type { Waiting } from '../settings/waitingRows';
-import { ofProject } from '../state/ofProject';
+import { ofProject } from '../project/ofProject';
 import { ask, askedNow } from './asked';
 import { pointsOf } from './askTools';
 

@@ -1,8 +1,8 @@
 // Puts a barrier or a collector at the asked line into the project.
 
 import type { LineAnswer } from '../api/line';
-import { add } from '../model/things';
-import { dimension } from '../model/place';
+import { add } from '../project/things';
+import { dimension } from '../project/place';
 import { sidePanel } from '../state/view';
 import { asked, kitEnergy, kitHeight } from './asked';
 import { pointsOf } from './askTools';

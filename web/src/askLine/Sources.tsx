@@ -1,7 +1,7 @@
 // Where the rocks come from: a list of release places, as the scene colours them.
 
 import { useState } from 'preact/hooks';
-import { dimension } from '../model/place';
+import { dimension } from '../project/place';
 import { filter } from '../state/filter';
 import { counted } from '../units/numbers';
 import { sourceColour, type SourceColour } from './asked';

@@ -2,12 +2,12 @@
 
 import type { Point2, Point3 } from '../api/types';
 import { draw } from '../model/drawing';
-import { dimension } from '../model/place';
+import { dimension } from '../project/place';
 import { pathOf } from '../settings/names';
 import { rounded } from '../geometry/plan';
 import { grips, tool, useTool, type GripDrag } from '../scene/tool';
-import { valueAt } from '../state/document';
-import { model } from '../state/model';
+import { valueAt } from '../project/document';
+import { model } from '../project/model';
 import { isAsking } from '../state/view';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { answer, ask, asked, draggedPoints } from './asked';

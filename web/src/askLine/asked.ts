@@ -4,9 +4,9 @@
 import { batch, computed, effect, signal } from '@preact/signals';
 import { asking, type AskedAnswer, type Question } from '../api/line';
 import type { Point2, Run } from '../api/types';
-import { recordBeside, opening } from '../state/document';
+import { recordBeside, opening } from '../project/document';
 import { crossingRocks, filter } from '../state/filter';
-import { keptOfProject, ofProject } from '../state/ofProject';
+import { keptOfProject, ofProject } from '../project/ofProject';
 import { hasResults, shown } from '../state/runs';
 import { askedText as kept, isAsking } from '../state/view';
 import { askedOf, missingPoints, shapeOf, textOf, type Asked } from './shape';

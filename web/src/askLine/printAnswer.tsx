@@ -4,7 +4,7 @@ import { render } from 'preact';
 import { asking, type AskedAnswer } from '../api/line';
 import { results } from '../api/results';
 import { attempt } from '../state/messages';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { shown } from '../state/runs';
 import { sheetPng } from '../view/sheet';
 import { AnswerSheet } from './AnswerSheet';

@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { barsOf, changeText, editsOf, figureTitle, nameOf, rangeOf } from './tornadoOf';
 
 const variation = (factor: string, step: number, share: number, energy: number | null): Variation => ({

@@ -3,7 +3,7 @@
 import { computed } from '@preact/signals';
 import type { WhatIfChoices, WhatIfOptions } from '../api/whatIf';
 import { typedNumber } from '../settings/numbers';
-import { keptOfProject } from '../state/ofProject';
+import { keptOfProject } from '../project/ofProject';
 
 /// By factor what differs from the usual step: what was typed, or false if it is left out.
 export type ChosenSteps = Readonly<Record<string, string | false>>;

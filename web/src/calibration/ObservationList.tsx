@@ -1,9 +1,9 @@
 // The observations of the project: imported files, what they are, and their problems.
 
 import { useEffect, useRef } from 'preact/hooks';
-import { chosenFiles, files, fittingFiles, loadFiles, relativeTo } from '../model/files';
+import { chosenFiles, files, fittingFiles, loadFiles, relativeTo } from '../project/files';
 import { TypedInput } from '../model/form/TypedInput';
-import { rowsOf, file } from '../state/document';
+import { rowsOf, file } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { counted } from '../units/numbers';
 import {

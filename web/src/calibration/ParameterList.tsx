@@ -1,9 +1,9 @@
 // The parameters that are sought, with the ranges within which they lie.
 
 import { useEffect } from 'preact/hooks';
-import { library, loadLibrary } from '../model/library';
+import { library, loadLibrary } from '../project/library';
 import { TypedInput } from '../model/form/TypedInput';
-import { values } from '../state/document';
+import { values } from '../project/document';
 import { inlineText } from '../toml/format';
 import { changeForm, form } from './observations';
 import { candidatesOf } from './parameters';

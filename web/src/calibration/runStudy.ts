@@ -3,12 +3,12 @@
 import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { Problem } from '../api/types';
-import { files, loadFiles, relativeTo } from '../model/files';
-import { file, fileStem, isChanged, opening } from '../state/document';
+import { files, loadFiles, relativeTo } from '../project/files';
+import { file, fileStem, isChanged, opening } from '../project/document';
 import { reportFailure, resolve } from '../state/messages';
-import { ofProject } from '../state/ofProject';
+import { ofProject } from '../project/ofProject';
 import { chosenCalibration, takeAnswer } from '../state/runs';
-import { save } from '../state/saving';
+import { save } from '../project/saving';
 import { valuesOf } from '../toml/values';
 import { changeForm, form, setForm } from './observations';
 import { formOf, studyEnding, studyText } from './study';

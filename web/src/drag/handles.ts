@@ -3,13 +3,13 @@
 import { computed, effect, signal } from '@preact/signals';
 import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
-import { is2d, nameOf } from '../model/place';
+import { is2d, nameOf } from '../project/place';
 import type { Path, TableName } from '../settings/names';
 import { showOverlay, tool } from '../scene/tool';
-import { groundBelow, profile } from '../section/profile';
-import { rowsOf, syntaxError, values } from '../state/document';
+import { groundBelow, profile } from '../project/profile';
+import { rowsOf, syntaxError, values } from '../project/document';
 import { reportFailure } from '../state/messages';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { chosen } from '../state/view';
 import { shapeOf, type Shape } from './shapes';
 

@@ -2,7 +2,7 @@
 
 import type { Point3 } from '../api/types';
 import { pathOf, type Path } from '../settings/names';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { layers } from '../view/settings';
 import type { DragView } from './drag';

@@ -1,8 +1,8 @@
 // The reference layers in the menu Layers of the view: on and off, opacity, order, and what is wrong with their files.
 
-import { edit, rowsOf } from '../state/document';
+import { edit, rowsOf } from '../project/document';
 import { chosen, sidePanel } from '../state/view';
-import { add } from '../model/things';
+import { add } from '../project/things';
 import { mostDraped } from './draped';
 import { changeLayer, isDrawn, projectLayers, type Layer } from './layers';
 import './layers.css';

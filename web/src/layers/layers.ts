@@ -4,8 +4,8 @@
 import { computed, effect, signal } from '@preact/signals';
 import { getJson, Refused } from '../api/client';
 import type { Point2, Problem } from '../api/types';
-import { layerProblems, model } from '../state/model';
-import { keptOfProject } from '../state/ofProject';
+import { layerProblems, model } from '../project/model';
+import { keptOfProject } from '../project/ofProject';
 import type { LegendData } from '../view/legends';
 import { ownOf, withOwn, type OwnSettings } from './own';
 

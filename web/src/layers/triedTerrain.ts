@@ -2,7 +2,7 @@
 
 import type { Problem } from '../api/types';
 import type { KeyOf } from '../settings/names';
-import { modelOf } from '../state/model';
+import { modelOf } from '../project/model';
 import { pairText } from '../toml/format';
 import { mostOfSections, type Outcome, type Tried } from './uses';
 

@@ -1,7 +1,7 @@
 // Trajectories and end points over a map. They would hide it, so each is drawn only on request.
 
 import { computed } from '@preact/signals';
-import { keptOfProject } from '../state/ofProject';
+import { keptOfProject } from '../project/ofProject';
 import { layers } from '../view/settings';
 import { shownMap } from './shownMap';
 

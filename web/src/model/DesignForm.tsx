@@ -1,4 +1,4 @@
-import { edit, values } from '../state/document';
+import { edit, values } from '../project/document';
 import { defaultOf } from '../settings/names';
 import { TableForm } from './form/TableForm';
 

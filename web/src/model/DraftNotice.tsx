@@ -1,10 +1,10 @@
 // Notices about unsaved drafts of earlier sessions and about concurrent changes of the project.
 
-import { file, fileStem, isChanged, replaceText, restored, savedHash, text } from '../state/document';
-import { discard, draftsAside, isChangedElsewhere } from '../state/drafts';
+import { file, fileStem, isChanged, replaceText, restored, savedHash, text } from '../project/document';
+import { discard, draftsAside, isChangedElsewhere } from '../project/drafts';
 import { reportFailure } from '../state/messages';
-import type { LocalDraft } from '../state/revisions';
-import { reload } from '../state/saving';
+import type { LocalDraft } from '../project/revisions';
+import { reload } from '../project/saving';
 
 export function DraftNotice() {
   const aside = draftsAside.value.filter((draft) => draft.text !== text.value);

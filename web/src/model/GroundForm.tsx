@@ -1,9 +1,9 @@
 // The assignment of materials to the ground: one everywhere, by picked segments or triangles, or by files.
 
 import { useState } from 'preact/hooks';
-import { edit, rowsOf } from '../state/document';
+import { edit, rowsOf } from '../project/document';
 import { reportFailure } from '../state/messages';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { counted } from '../units/numbers';
 import { assignByClicks, paintArea } from './assignTool';
 import { materialColour } from '../view/colours';
@@ -11,7 +11,7 @@ import { Field } from './form/Field';
 import { materialNames } from './form/references';
 import { TableForm } from './form/TableForm';
 import { changeWay, groundWays, wayOf, waysFor, type GroundWay } from '../settings/groundWays';
-import { is2d, nameOf, tableAt } from './place';
+import { is2d, nameOf, tableAt } from '../project/place';
 import { fieldOf } from '../settings/declared';
 import { kindOf } from '../settings/terrainKinds';
 

@@ -1,14 +1,14 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { LibraryMaterial } from '../api/types';
-import { rowsOf } from '../state/document';
+import { rowsOf } from '../project/document';
 import { attempt, reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
-import { library, loadLibrary } from './library';
-import { isNameOf } from './likeness';
-import { addOwn, loadOwn, ownMaterials, removeOwn } from './ownMaterials';
+import { library, loadLibrary } from '../project/library';
+import { isNameOf } from '../project/likeness';
+import { addOwn, loadOwn, ownMaterials, removeOwn } from '../project/ownMaterials';
 import type { KeyOf } from '../settings/names';
-import { freshName } from './place';
-import { append } from './things';
+import { freshName } from '../project/place';
+import { append } from '../project/things';
 import { valueText } from '../settings/words';
 
 const allColumns: [KeyOf<'material'>, string][] = [

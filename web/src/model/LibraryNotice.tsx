@@ -1,11 +1,11 @@
 // A notice on a material that is named like a library material but has other values.
 
 import { useEffect } from 'preact/hooks';
-import { nameOf, put, tableAt } from './place';
-import { rowsOf } from '../state/document';
+import { nameOf, put, tableAt } from '../project/place';
+import { rowsOf } from '../project/document';
 import type { Path } from '../settings/names';
-import { library, loadLibrary, titleOf } from './library';
-import { likeness } from './likeness';
+import { library, loadLibrary, titleOf } from '../project/library';
+import { likeness } from '../project/likeness';
 
 /// "Coarse talus, changed", numbered if another material has that name.
 function changedName(name: string): string {

@@ -1,7 +1,7 @@
 // The model as forms: an outline of the project, and the form of the selected entry.
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
-import { rowsOf } from '../state/document';
+import { rowsOf } from '../project/document';
 import { chosen, helpOpen } from '../state/view';
 import type { Path, TableName } from '../settings/names';
 import { DocumentDialog } from '../help/Document';
@@ -11,7 +11,7 @@ import { Words } from './form/Words';
 import { tableOf } from '../settings/declared';
 import { sectionOf } from '../settings/sections';
 import { Outline } from './Outline';
-import { problemsOfTable, sentenceOf, toneOf } from './awaited';
+import { problemsOfTable, sentenceOf, toneOf } from '../project/awaited';
 import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
 import { LibraryNotice } from './LibraryNotice';
@@ -20,8 +20,8 @@ import { followChosen } from './highlight';
 import { TerrainForm } from './TerrainForm';
 import { ProblemList } from './ProblemList';
 import { UnfinishedList } from './UnfinishedList';
-import { nameOf } from './place';
-import { copy, remove } from './things';
+import { nameOf } from '../project/place';
+import { copy, remove } from '../project/things';
 import './model.css';
 
 export function ModelPanel() {

@@ -1,4 +1,4 @@
-import { files, hasMoreFiles } from './files';
+import { files, hasMoreFiles } from '../project/files';
 
 /// A notice if the list of files is truncated.
 export function MoreFiles() {

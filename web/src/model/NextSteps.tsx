@@ -1,6 +1,6 @@
-import { values } from '../state/document';
+import { values } from '../project/document';
 import { chosen } from '../state/view';
-import { add, nextSteps } from './things';
+import { add, nextSteps } from '../project/things';
 
 /// The next steps of a project that cannot run yet.
 export function NextSteps() {

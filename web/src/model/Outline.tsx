@@ -1,13 +1,13 @@
 // The outline of the project: its sections and entries, with problems and next steps.
 
-import { rowsOf, values } from '../state/document';
-import { realProblemsAt, toneOf } from './awaited';
+import { rowsOf, values } from '../project/document';
+import { realProblemsAt, toneOf } from '../project/awaited';
 import { chosen } from '../state/view';
 import { NextSteps } from './NextSteps';
 import { summaryOf } from './summaries';
 import { sections, type Section } from '../settings/sections';
-import { add, nextSteps } from './things';
-import { is2d, nameOf } from './place';
+import { add, nextSteps } from '../project/things';
+import { is2d, nameOf } from '../project/place';
 import { materialColour } from '../view/colours';
 import { LibraryChoice } from './LibraryChoice';
 import { materialNames } from './form/references';

@@ -2,8 +2,8 @@ import { useEffect, useState } from 'preact/hooks';
 import { attempt, reportFailure } from '../state/messages';
 import { Dialog } from '../ui/Dialog';
 import type { Path } from '../settings/names';
-import { loadOwn, namesFile, ownFile, ownMaterials, saveOwn } from './ownMaterials';
-import { nameOf, tableAt } from './place';
+import { loadOwn, namesFile, ownFile, ownMaterials, saveOwn } from '../project/ownMaterials';
+import { nameOf, tableAt } from '../project/place';
 
 /// Saves the material of a form in the library of one's own.
 export function OwnMaterialButton({ path }: { path: Path }) {

@@ -1,12 +1,12 @@
 // The errors and warnings of the project. Each leads to its form.
 
 import type { Problem } from '../api/types';
-import { syntaxError } from '../state/document';
+import { syntaxError } from '../project/document';
 import { chosen, sidePanel } from '../state/view';
 import { counted } from '../units/numbers';
 import { pathOf, type Path } from '../settings/names';
 import { sectionOf } from '../settings/sections';
-import { realProblems, sentenceOf, toneOf } from './awaited';
+import { realProblems, sentenceOf, toneOf } from '../project/awaited';
 
 /// The path of the form in which a problem's field is.
 export function formOf(path: string): Path | null {

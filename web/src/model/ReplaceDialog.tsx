@@ -1,5 +1,5 @@
 import { Dialog } from '../ui/Dialog';
-import { questions } from './replacing';
+import { questions } from '../project/replacing';
 
 /// Asks what to do with an uploaded file whose name exists already.
 export function ReplaceDialog() {

@@ -2,16 +2,16 @@
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { takeDropped, takeStored } from '../layers/dropped';
-import { edit, file } from '../state/document';
+import { edit, file } from '../project/document';
 import { reportFailure } from '../state/messages';
-import { model } from '../state/model';
-import { chosenFiles, files, loadFiles, relativeTo } from './files';
+import { model } from '../project/model';
+import { chosenFiles, files, loadFiles, relativeTo } from '../project/files';
 import { Field } from './form/Field';
 import { TableForm } from './form/TableForm';
 import { MoreFiles } from './MoreFiles';
-import { tableAt } from './place';
+import { tableAt } from '../project/place';
 import { fieldOf } from '../settings/declared';
-import { terrainOfFile } from './terrainFile';
+import { terrainOfFile } from '../project/terrainFile';
 import { changeTo, kindOf, terrainKinds, type TerrainKind } from '../settings/terrainKinds';
 
 export function TerrainForm() {

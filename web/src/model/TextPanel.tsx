@@ -1,7 +1,7 @@
 // A text editor for the project file.
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import { replaceText, syntaxError, text } from '../state/document';
+import { replaceText, syntaxError, text } from '../project/document';
 import { asTyped, withTyped } from '../toml/lineEnds';
 import { endOfChange, stepOf } from './textSteps';
 

@@ -1,9 +1,9 @@
 // Incomplete entries, with links to their fields.
 
 import { chosen } from '../state/view';
-import { placeOf, unfinishedSettings } from './leftOut';
+import { placeOf, unfinishedSettings } from '../project/leftOut';
 import { formOf, focusField } from './ProblemList';
-import { keepWaiting } from './unfinished';
+import { keepWaiting } from '../project/unfinished';
 
 export function UnfinishedList() {
   const all = unfinishedSettings();

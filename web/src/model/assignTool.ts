@@ -3,13 +3,13 @@
 import { getArrays, getJson } from '../api/client';
 import type { Model } from '../api/types';
 import { useTool } from '../scene/tool';
-import { edit, opening, valueAt } from '../state/document';
-import { model } from '../state/model';
+import { edit, opening, valueAt } from '../project/document';
+import { model } from '../project/model';
 import { shading } from '../view/settings';
 import { draw } from './drawing';
 import { materialsWith } from '../settings/groundWays';
 import { onPlan } from './geometryTools';
-import { entriesUnchanged, freshName, nameOf, tableAt } from './place';
+import { entriesUnchanged, freshName, nameOf, tableAt } from '../project/place';
 import { materialNames } from './form/references';
 
 interface Facets {

@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import { showOverlay, tool, useTool, type Overlay, type Place } from '../scene/tool';
 import type { Point3 } from '../api/types';
-import { model } from '../state/model';
+import { model } from '../project/model';
 
 export interface Drawing {
   name: string;

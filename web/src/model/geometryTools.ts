@@ -1,14 +1,14 @@
 // Drawing settings in the view: which settings can be drawn, and the values written for them.
 
 import type { Point3 } from '../api/types';
-import { edit, valueAt, values } from '../state/document';
-import { model } from '../state/model';
+import { edit, valueAt, values } from '../project/document';
+import { model } from '../project/model';
 import type { Path, TableName } from '../settings/names';
 import type { TomlValue } from '../toml/format';
 import { shading } from '../view/settings';
 import { consequences } from '../settings/consequences';
 import { draw, type Drawing } from './drawing';
-import { entriesUnchanged, is2d, tableAt, thingOf } from './place';
+import { entriesUnchanged, is2d, tableAt, thingOf } from '../project/place';
 import { rounded } from '../geometry/plan';
 
 const extent = () => {

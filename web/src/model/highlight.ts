@@ -2,7 +2,7 @@
 
 import { effect, untracked } from '@preact/signals';
 import { showOverlay, type Overlay } from '../scene/tool';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { chosen } from '../state/view';
 import { materialColour } from '../view/colours';
 

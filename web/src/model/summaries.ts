@@ -1,13 +1,14 @@
 // One-line summaries of the parts of the project, for the outline.
 
-import { rowsOf, valueAt, values } from '../state/document';
-import { model } from '../state/model';
+import { rowsOf, valueAt, values } from '../project/document';
+import { model } from '../project/model';
 import type { TomlValue } from '../toml/format';
 import { counted } from '../units/numbers';
-import { library } from './library';
-import { likeness } from './likeness';
+import { library } from '../project/library';
+import { likeness } from '../project/likeness';
 import { defaultOf, type Row, type TableName } from '../settings/names';
-import { isTable, tableAt } from './place';
+import { tableAt } from '../project/place';
+import { isTable } from '../settings/tables';
 import { valueText, wordText } from '../settings/words';
 
 const number = (value: TomlValue | undefined) => (isTable(value) ? valueText(value.mean) : valueText(value));

@@ -1,5 +1,5 @@
 import { isOutdated } from '../runs/outdated';
-import { problems } from '../state/model';
+import { problems } from '../project/model';
 import { compute } from '../state/runs';
 import { sidePanel } from '../state/view';
 

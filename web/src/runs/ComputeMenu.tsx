@@ -1,8 +1,8 @@
 // The Compute button and its menu with options of the run.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { valueAt } from '../state/document';
-import { model, problems } from '../state/model';
+import { valueAt } from '../project/document';
+import { model, problems } from '../project/model';
 import { compute } from '../state/runs';
 import { sidePanel } from '../state/view';
 import { focusOnceMade } from '../ui/focus';

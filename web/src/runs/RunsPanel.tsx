@@ -1,7 +1,7 @@
 // The runs of the open project, newest first.
 
 import { areKnown, compute, ownRuns } from '../state/runs';
-import { problems } from '../state/model';
+import { problems } from '../project/model';
 import { RunCard } from './RunCard';
 import './runs.css';
 

@@ -2,10 +2,10 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { reportFailure } from '../state/messages';
-import { file, text, values } from '../state/document';
+import { file, text, values } from '../project/document';
 import { hasResults, shown } from '../state/runs';
 import { differencesOf } from '../toml/differences';
-import { valuesOf } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { textOf } from './runText';
 
 const own = computed(() => {

@@ -3,9 +3,9 @@
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { useRemote } from '../results/remote';
-import { file, text, values } from '../state/document';
+import { file, text, values } from '../project/document';
 import { differencesOf, type ValueDifference } from '../toml/differences';
-import { valuesOf } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 
 const texts = new Map<string, Promise<string>>(); // a run's text never changes
 

@@ -7,7 +7,7 @@ import { isDrawn, layerLegends, projectLayers } from '../layers/layers';
 import { mapLegends } from '../maps/mapLegends';
 import { shownMap } from '../maps/shownMap';
 import { pathLegends } from '../paths/pathLegends';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { elevationRamp, materialColour, slopeRamp } from '../view/colours';
 import { Legends } from '../view/Legend';
 import { stopsOf, type LegendData } from '../view/legends';

@@ -2,7 +2,7 @@
 
 import { useSignal } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { reportFailure } from '../state/messages';
 import type { OpenScene } from './open';
 import * as picture from './picture';

@@ -4,7 +4,7 @@ import { Vector3 } from 'three';
 import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
 import { notify } from '../state/messages';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { Drag, dragOf, followPointer, handleAt, type DragView } from '../drag/drag';
 import { openMenu } from '../drag/menu';
 import { thingAt } from '../drag/things';

@@ -3,7 +3,7 @@
 
 import { effect, signal, untracked } from '@preact/signals';
 import type { Point3 } from '../api/types';
-import { opening } from '../state/document';
+import { opening } from '../project/document';
 import { reportFailure } from '../state/messages';
 import type { Pixel } from '../geometry/nearness';
 

@@ -2,7 +2,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { ToolHint } from '../scene/ToolHint';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { Legends } from '../view/Legend';
 import { chosenRock, resultsTab } from '../state/view';
 import { offerSheet } from '../view/sheet';

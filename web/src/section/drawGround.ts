@@ -5,7 +5,7 @@ import { overlap, type Box } from '../geometry/framing';
 import { tickText } from '../units/numbers';
 import { roundStep, ticks } from '../geometry/ticks';
 import { pixelOf, placeOf, type Frame } from './frame';
-import type { Profile } from './profile';
+import type { Profile } from '../project/profile';
 
 export interface Look {
   text: string;

@@ -1,14 +1,14 @@
 // The visible part of the section: all of it, in the free part of the picture, until the user moves it.
 
 import { computed, effect, signal, untracked } from '@preact/signals';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { alongLine, bestBox, type Box } from '../geometry/framing';
 import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
 import { watchOver } from '../view/over';
 import { equalAxes } from '../view/settings';
 import { tool } from '../scene/tool';
 import { fitted, pixelOf, type Bounds, type Frame } from './frame';
-import { profile } from './profile';
+import { profile } from '../project/profile';
 
 /// Null until the picture has a size and content.
 export const frame = signal<Frame | null>(null);

@@ -1,7 +1,7 @@
 // Draws the picture of the section whenever something changes.
 
 import { computed, effect, signal, untracked } from '@preact/signals';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { chosen, chosenRock } from '../state/view';
 import { colouring } from '../paths/colouring';
 import { shownBlocks } from '../paths/drawnBlocks';
@@ -21,7 +21,7 @@ import { drawLabels, placeLabels } from '../view/labels';
 import { placeOf, type Frame } from './frame';
 import { frame, keepFramed, over, roomOf } from './framed';
 import { PathLayer, type PathsToDraw } from './pathLayer';
-import { profile } from './profile';
+import { profile } from '../project/profile';
 import { SectionBlocks } from './sectionBlocks';
 
 export const pointer = signal<{ x: number; z: number; ground: number | null } | null>(null);

@@ -11,7 +11,7 @@ import type { Pixel } from '../geometry/nearness';
 import { moved, pixelOf, placeOf, zoomed } from './frame';
 import { fit, frame } from './framed';
 import { pointer } from './picture';
-import { groundBelow, nearestSegment, profile } from './profile';
+import { groundBelow, nearestSegment, profile } from '../project/profile';
 
 const drag = 4; // pixels of movement that turn a click into a drag
 const near = 12; // pixels within which a mark is picked

@@ -2,7 +2,7 @@
 
 import { observedLegends } from '../calibration/observations';
 import { pathLegends } from '../paths/pathLegends';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { materialColour } from '../view/colours';
 import type { LegendData } from '../view/legends';
 

@@ -11,7 +11,7 @@ import { saveCsv } from '../figures/files';
 import { Chart } from '../results/Chart';
 import { shownColour } from '../results/layers';
 import { copyRows, fileName } from '../results/save';
-import { fileStem } from '../state/document';
+import { fileStem } from '../project/document';
 import { notify, reportFailure, resolve } from '../state/messages';
 import { counted, numberText } from '../units/numbers';
 import { equalAxes } from '../view/settings';

@@ -1,10 +1,10 @@
 // Opens a 2D project of the ground section.
 
 import type { GroundSection, Point2 } from '../api/types';
-import { freshStem, openDerived } from '../start/derivedProject';
-import { file, fileStem, text, values } from '../state/document';
+import { freshStem, openDerived } from '../project/derivedProject';
+import { file, fileStem, text, values } from '../project/document';
 import { notify } from '../state/messages';
-import { model } from '../state/model';
+import { model } from '../project/model';
 import { corridorWidth } from '../view/settings';
 import { longestPart, sectionProject } from './sectionProject';
 

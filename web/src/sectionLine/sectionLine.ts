@@ -8,8 +8,8 @@ import { draw } from '../model/drawing';
 import { rounded } from '../geometry/plan';
 import type { Waiting } from '../settings/waitingRows';
 import { showOverlay, tool, useTool, type Overlay } from '../scene/tool';
-import { file } from '../state/document';
-import { build, model } from '../state/model';
+import { file } from '../project/document';
+import { build, model } from '../project/model';
 import { resultsOpen, resultsTab } from '../state/view';
 import { piecesOf } from './groundSection';
 

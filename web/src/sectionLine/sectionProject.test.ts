@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { GroundSection, Model } from '../api/types';
-import { valuesOf } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { crossingOf, longestPart, sectionProject, withoutStraight } from './sectionProject';
 
 const section: GroundSection = {

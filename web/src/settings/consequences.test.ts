@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { consequences, removal } from './consequences';
 
 const project = {

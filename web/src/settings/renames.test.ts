@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { renaming, type FormerName } from './renames';
 
 const text = `material = [{ name = "Rock" }, { name = "Scree" }, { name = "Soil" }]

@@ -5,7 +5,7 @@ import type { Point2, Point3 } from '../api/types';
 import { dragHint } from '../drag/drag';
 import { onGrid } from '../drag/snapping';
 import { grips, showOverlay, type GripDrag, type Overlay } from '../scene/tool';
-import { groundBelow, profile } from '../section/profile';
+import { groundBelow, profile } from '../project/profile';
 import { markColours } from '../view/colours';
 import { roundStep } from '../geometry/ticks';
 import { kind, numbers, possible, problem, setNumbers, setStretch, slopePane, stretch, vertices } from './state';

@@ -1,9 +1,9 @@
 // The open slope tool and its numbers, which are no part of the project until they are applied.
 
 import { batch, computed, effect } from '@preact/signals';
-import { is2d } from '../model/place';
-import { edit, endStep, syntaxError, values } from '../state/document';
-import { ofProject } from '../state/ofProject';
+import { is2d } from '../project/place';
+import { edit, endStep, syntaxError, values } from '../project/document';
+import { ofProject } from '../project/ofProject';
 import { isAsking } from '../state/view';
 import { slopeEdits } from './edits';
 import { Impossible, slopeIn, type Slope } from './slope';

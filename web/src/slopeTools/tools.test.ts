@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Point2 } from '../api/types';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { slopeEdits } from './edits';
 import { areasBetween, groundAt, mirrored, slopeIn, type Slope } from './slope';
 import { fallsLeft, fieldsOf, shaped, stationAt, usualNumbers, type Numbers, type ToolKind } from './tools';

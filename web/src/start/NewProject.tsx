@@ -1,14 +1,14 @@
 // A new project: its name and its terrain.
 
 import { useRef, useState } from 'preact/hooks';
-import { chosenFiles, files, uploadFiles } from '../model/files';
+import { chosenFiles, files, uploadFiles } from '../project/files';
 import { endingsOf } from '../settings/fileEndings';
-import { terrainAmong, terrainOfFile } from '../model/terrainFile';
+import { terrainAmong, terrainOfFile } from '../project/terrainFile';
 import { api } from '../api/client';
 import { isTableOrLines, takeStored } from '../layers/dropped';
-import { localDrafts } from '../state/localDrafts';
+import { localDrafts } from '../project/localDrafts';
 import { notify, reportFailure } from '../state/messages';
-import { start } from '../state/opening';
+import { start } from '../project/opening';
 import { chosen, sidePanel } from '../state/view';
 import { allWritten } from '../state/writes';
 import { fileNameOf, firstText, type Beginning } from './newProject';

@@ -1,7 +1,7 @@
 // Renaming, duplicating and deleting a project.
 
 import { useState } from 'preact/hooks';
-import { files } from '../model/files';
+import { files } from '../project/files';
 import { counted } from '../units/numbers';
 import { Dialog } from '../ui/Dialog';
 import { copyName, type ListedProject } from './projectList';

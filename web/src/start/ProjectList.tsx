@@ -1,11 +1,11 @@
 // The projects of the folder as cards with pictures.
 
 import { useState } from 'preact/hooks';
-import { hasMoreFiles } from '../model/files';
+import { hasMoreFiles } from '../project/files';
 import { MoreFiles } from '../model/MoreFiles';
 import { stateText } from '../runs/RunStateText';
 import { reportFailure } from '../state/messages';
-import { open } from '../state/opening';
+import { open } from '../project/opening';
 import { runs } from '../state/runs';
 import { bytesText, momentText } from '../units/texts';
 import { counted } from '../units/numbers';

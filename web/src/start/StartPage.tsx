@@ -3,10 +3,10 @@
 import { useEffect } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { api } from '../api/client';
-import { listenToDrops } from '../model/terrainFile';
+import { listenToDrops } from '../project/terrainFile';
 import { about } from '../state/about';
 import { reportFailure } from '../state/messages';
-import { open } from '../state/opening';
+import { open } from '../project/opening';
 import { compute, ownRuns } from '../state/runs';
 import { verifying } from '../state/view';
 import { beginWith, NewProject } from './NewProject';

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { valuesOf } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { fileNameOf, firstText } from './newProject';
 
 test('the initial text is valid TOML', () => {

@@ -3,13 +3,14 @@
 import { signal } from '@preact/signals';
 import { api } from '../api/client';
 import type { DeletedProject, Example, Run } from '../api/types';
-import { files, readFolder } from '../model/files';
+import { files, readFolder } from '../project/files';
 import { storageKey, workplace } from '../state/about';
-import { nextRevision } from '../state/drafts';
-import { localDrafts } from '../state/localDrafts';
+import { nextRevision } from '../project/drafts';
+import { localDrafts } from '../project/localDrafts';
 import { reportFailure } from '../state/messages';
 import { allWritten, writeInTurn } from '../state/writes';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { inFolderOf, listProjects, type ListedProject } from './projectList';
 
 export const examples = signal<Example[]>([]);

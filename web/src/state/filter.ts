@@ -1,6 +1,6 @@
 // The rock filter, shared by the views and the results.
 
-import { ofProject } from './ofProject';
+import { ofProject } from '../project/ofProject';
 
 /// All conditions must be met; the names of a list are alternatives; null: no condition.
 export interface RockFilter {

@@ -3,12 +3,12 @@
 import { batch, effect } from '@preact/signals';
 import { schema } from '../generated/schema';
 import type { Path, TableName } from '../settings/names';
-import { afterTyping } from '../ui/typing';
+import { afterTyping } from '../project/typing';
 import { camera, wantedCamera } from '../view/camera';
 import { addressOf, isStep, placeOf, type Place } from './address';
-import { file, fileStem, rowsOf, values } from './document';
+import { file, fileStem, rowsOf, values } from '../project/document';
 import { reportFailure } from './messages';
-import { close, open } from './opening';
+import { close, open } from '../project/opening';
 import { comparedId, shownId, showRuns } from './runs';
 import { askedText, chosen, chosenRock, drapedMap, isAsking, resultsTab, sidePanel, verifying } from './view';
 import { allWritten } from './writes';

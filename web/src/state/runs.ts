@@ -2,13 +2,13 @@
 
 import { computed, effect, signal } from '@preact/signals';
 import { api } from '../api/client';
-import { leftOut } from '../model/leftOut';
+import { leftOut } from '../project/leftOut';
 import type { Run } from '../api/types';
-import { file, text } from './document';
-import { checkFile } from './fileOnDisk';
+import { file, text } from '../project/document';
+import { checkFile } from '../project/fileOnDisk';
 import { attempt, notify, reportFailure, resolve } from './messages';
-import { rebuild } from './model';
-import { ofProject } from './ofProject';
+import { rebuild } from '../project/model';
+import { ofProject } from '../project/ofProject';
 import { subscribe } from './news';
 
 const all = signal<Run[]>([]);

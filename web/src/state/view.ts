@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import type { Path } from '../settings/names';
 import { kept } from './kept';
-import { keptOfProject, ofProject } from './ofProject';
+import { keptOfProject, ofProject } from '../project/ofProject';
 import type { ResultsTab, SidePanel } from './tabs';
 
 export type { ResultsTab, SidePanel };

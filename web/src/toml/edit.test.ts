@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
-import { edited, valuesOf } from './edit';
+import { edited } from './edit';
+import { valuesOf } from './values';
 
 const lines = (...all: string[]) => all.join('\n') + '\n';
 

@@ -17,8 +17,6 @@ export type Edit =
   /// Adds a table `[[path]]` after the last of its kind, below a comment if one is given.
   | { append: Path; value: TomlTable; comment?: string };
 
-export { valuesOf } from './values';
-
 export function edited(text: string, edits: readonly Edit[]): string {
   const own = withoutMark(text);
   if (own !== text) return text[0] + edited(own, edits);

@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
-import { file } from '../state/document';
+import { file } from '../project/document';
 import { reportFailure } from '../state/messages';
-import { conflict, overwrite, reload, saveAs, savingAs } from '../state/saving';
+import { conflict, overwrite, reload, saveAs, savingAs } from '../project/saving';
 import { Dialog } from './Dialog';
 
 /// The dialogs of saving.

@@ -1,7 +1,7 @@
-import { file, fileStem, isChanged, redo, redoes, undo, undoes, values } from '../state/document';
-import { close } from '../state/opening';
-import { save, savingAs } from '../state/saving';
-import { isBuilding } from '../state/model';
+import { file, fileStem, isChanged, redo, redoes, undo, undoes, values } from '../project/document';
+import { close } from '../project/opening';
+import { save, savingAs } from '../project/saving';
+import { isBuilding } from '../project/model';
 import { isConnected, running, stop } from '../state/runs';
 import { displayOf, unitSystem } from '../state/displayUnits';
 import { theme, type Theme } from '../state/view';
@@ -9,7 +9,7 @@ import { ComputeMenu } from '../runs/ComputeMenu';
 import { RunEnds } from '../runs/RunEnds';
 import { clockText } from '../units/texts';
 import { counted } from '../units/numbers';
-import { afterTyping } from './typing';
+import { afterTyping } from '../project/typing';
 
 const themes: Theme[] = ['system', 'light', 'dark'];
 

@@ -1,10 +1,10 @@
 // Keyboard shortcuts of the whole page.
 
-import { file, redo, undo } from '../state/document';
-import { save } from '../state/saving';
+import { file, redo, undo } from '../project/document';
+import { save } from '../project/saving';
 import { compute } from '../state/runs';
 import { finishTool, removeLastPoint, tool, useTool } from '../scene/tool';
-import { afterTyping, isWriting } from './typing';
+import { afterTyping, isWriting } from '../project/typing';
 
 /// Whether an element has its own Undo: a field with typed text that is not stored yet.
 const undoesItself = (target: EventTarget | null) =>

@@ -1,5 +1,5 @@
 import { LayerList } from '../layers/LayerList';
-import { dimension } from '../model/place';
+import { dimension } from '../project/place';
 import { MemoryNote } from './MemoryNote';
 import { Popover } from './Popover';
 import { layerNames, layers } from './settings';

@@ -1,7 +1,7 @@
 // What the view shows, as text for the page's address: the name of a named view, or numbers in the project's
 // coordinates [m]. 3D: the eye and the point it looks at (six); 2D: the centre, the width and the height (four).
 
-import { ofProject } from '../state/ofProject';
+import { ofProject } from '../project/ofProject';
 
 /// What the view shows now; null: all of the model, as when it is opened.
 export const camera = ofProject<string | null>(null);

@@ -1,7 +1,7 @@
 // The display settings of the views. All but the playback speed belong to the project.
 
 import { kept } from '../state/kept';
-import { keptOfProject } from '../state/ofProject';
+import { keptOfProject } from '../project/ofProject';
 
 export type Shading = 'elevation' | 'slope' | 'material' | 'hillshade';
 export const shading = keptOfProject<Shading>('shading', 'elevation');

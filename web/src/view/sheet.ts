@@ -1,9 +1,9 @@
 // A picture for print: a sheet with title, legends, scale bar, north arrow and source.
 
 import { about } from '../state/about';
-import { file, fileStem, values } from '../state/document';
-import { isTable } from '../model/place';
-import { model } from '../state/model';
+import { file, fileStem, values } from '../project/document';
+import { isTable } from '../settings/tables';
+import { model } from '../project/model';
 import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../state/runs';
 import { saveFile } from '../figures/files';

@@ -1,8 +1,8 @@
 // A small picture of the view, saved when a project is closed, for its card on the start page.
 
 import { api } from '../api/client';
-import { file } from '../state/document';
-import { model } from '../state/model';
+import { file } from '../project/document';
+import { model } from '../project/model';
 import { writeInTurn } from '../state/writes';
 import { cssColour, inLight } from './theme';
 

@@ -1,8 +1,8 @@
 // The control of a setting, by the kind of its value.
 
-import { valueAt } from '../../state/document';
-import { problemsAt } from '../../state/model';
-import { pathText, put, underLaws } from '../place';
+import { valueAt } from '../../project/document';
+import { problemsAt } from '../../project/model';
+import { pathText, put, underLaws } from '../../project/place';
 import { absentText, valueText, wordText } from '../../settings/words';
 import { Choice } from './Choice';
 import { DistributionControl } from './DistributionControl';

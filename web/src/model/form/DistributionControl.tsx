@@ -1,13 +1,14 @@
 // A random property: a number, or a mean with a distribution and its parameters, and its density.
 
-import { edit, valueAt } from '../../state/document';
+import { edit, valueAt } from '../../project/document';
 import type { Problem } from '../../api/types';
 import { applies } from '../../settings/applies';
 import type { TomlTable, TomlValue } from '../../toml/format';
-import { problemsOf } from '../awaited';
-import { inheritedText, inheritedAt } from '../library';
+import { problemsOf } from '../../project/awaited';
+import { inheritedText, inheritedAt } from '../../project/library';
 import { constantKind, sampleKind } from '../../settings/names';
-import { isTable, pathText, put, thingOf } from '../place';
+import { pathText, put, thingOf } from '../../project/place';
+import { isTable } from '../../settings/tables';
 import { absentText, valueText } from '../../settings/words';
 import { Choice } from './Choice';
 import { Curve } from './Curve';

@@ -1,4 +1,4 @@
-import { model } from '../../state/model';
+import { model } from '../../project/model';
 import type { Path } from '../../settings/names';
 import { drawable } from '../geometryTools';
 

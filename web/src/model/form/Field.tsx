@@ -2,10 +2,10 @@
 
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
-import { valueAt } from '../../state/document';
+import { valueAt } from '../../project/document';
 import { helpOpen } from '../../state/view';
-import { problemsOf, sentenceOf, toneOf } from '../awaited';
-import { pathText, put, rockModel } from '../place';
+import { problemsOf, sentenceOf, toneOf } from '../../project/awaited';
+import { pathText, put, rockModel } from '../../project/place';
 import { wordText } from '../../settings/words';
 import type { Field as Setting } from '../../settings/schema';
 import { Control } from './Control';

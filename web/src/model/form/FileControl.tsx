@@ -1,13 +1,13 @@
 // A file of the project: one of the folder, or an uploaded one.
 
 import { useEffect, useRef } from 'preact/hooks';
-import { file, valueAt } from '../../state/document';
+import { file, valueAt } from '../../project/document';
 import { reportFailure } from '../../state/messages';
-import { problemsAt } from '../../state/model';
-import { chosenFiles, files, fittingFiles, fittingName, loadFiles, relativeTo, uploadFiles } from '../files';
+import { problemsAt } from '../../project/model';
+import { chosenFiles, files, fittingFiles, fittingName, loadFiles, relativeTo, uploadFiles } from '../../project/files';
 import { MoreFiles } from '../MoreFiles';
 import { cellText } from '../../settings/numbers';
-import { pathText, put } from '../place';
+import { pathText, put } from '../../project/place';
 import { absentText } from '../../settings/words';
 import { idOf, problemsId, type FieldProps } from './fieldProps';
 import type { TomlValue } from '../../toml/format';

@@ -1,8 +1,8 @@
 // A file of the project, or several that belong together.
 
-import { valueAt } from '../../state/document';
+import { valueAt } from '../../project/document';
 import type { TomlValue } from '../../toml/format';
-import { put } from '../place';
+import { put } from '../../project/place';
 import { FileControl } from './FileControl';
 import type { FieldProps } from './fieldProps';
 

@@ -1,7 +1,7 @@
 import { useEffect } from 'preact/hooks';
-import { valueAt } from '../../state/document';
-import { library, loadLibrary, titleOf } from '../library';
-import { put } from '../place';
+import { valueAt } from '../../project/document';
+import { library, loadLibrary, titleOf } from '../../project/library';
+import { put } from '../../project/place';
 import { absentText } from '../../settings/words';
 import { Choice } from './Choice';
 import type { Common, FieldProps } from './fieldProps';

@@ -1,8 +1,9 @@
 // Assigns a material to each class of a raster or value of an attribute.
 
 import { useState } from 'preact/hooks';
-import { edit, valueAt } from '../../state/document';
-import { isTable, thingOf } from '../place';
+import { edit, valueAt } from '../../project/document';
+import { thingOf } from '../../project/place';
+import { isTable } from '../../settings/tables';
 import { Choice } from './Choice';
 import type { FieldProps } from './fieldProps';
 import { materialNames } from './references';

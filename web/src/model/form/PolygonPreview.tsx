@@ -5,9 +5,9 @@ import { api } from '../../api/client';
 import type { PolygonsAnswer } from '../../api/types';
 import type { TomlValue } from '../../toml/format';
 import { jsonText } from '../../toml/json';
-import { valueAt } from '../../state/document';
+import { valueAt } from '../../project/document';
 import { counted } from '../../units/numbers';
-import { tableAt } from '../place';
+import { tableAt } from '../../project/place';
 
 const size = 200;
 

@@ -1,15 +1,15 @@
 // Closed polylines, one edit table each, which together form the slope.
 
 import { useState } from 'preact/hooks';
-import { edit, valueAt } from '../../state/document';
-import { problemsAt } from '../../state/model';
+import { edit, valueAt } from '../../project/document';
+import { problemsAt } from '../../project/model';
 import type { Path } from '../../settings/names';
 import type { TomlValue } from '../../toml/format';
 import { isSame } from '../../toml/differences';
 import { counted } from '../../units/numbers';
-import { pathText } from '../place';
+import { pathText } from '../../project/place';
 import { cellsOf, rowEdits } from '../../settings/rows';
-import { waitingAt } from '../unfinished';
+import { waitingAt } from '../../project/unfinished';
 import { EditTable } from './EditTable';
 import type { FieldProps } from './fieldProps';
 import { tableProps } from './geometry';

@@ -1,9 +1,9 @@
 // Rows of coordinates, or a file that has them.
 
 import { useState } from 'preact/hooks';
-import { edit, valueAt } from '../../state/document';
-import { asListed, profile } from '../../section/profile';
-import { thingOf } from '../place';
+import { edit, valueAt } from '../../project/document';
+import { asListed, profile } from '../../project/profile';
+import { thingOf } from '../../project/place';
 import { FileControl } from './FileControl';
 import type { FieldProps } from './fieldProps';
 import { RowsControl } from './geometry';

@@ -1,11 +1,11 @@
 // The material of each segment of the section.
 
-import { edit, valueAt } from '../../state/document';
-import { model, problemsAt } from '../../state/model';
+import { edit, valueAt } from '../../project/document';
+import { model, problemsAt } from '../../project/model';
 import type { Path } from '../../settings/names';
 import { counted } from '../../units/numbers';
 import { cellText } from '../../settings/numbers';
-import { is2d, pathText, tableAt } from '../place';
+import { is2d, pathText, tableAt } from '../../project/place';
 import { Choice } from './Choice';
 import { problemsId, type FieldProps } from './fieldProps';
 import { materialNames } from './references';

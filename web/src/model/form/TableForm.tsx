@@ -1,10 +1,10 @@
 // The form of a table of the project, with its fields in groups.
 
 import { useState } from 'preact/hooks';
-import { edit, valueAt, values } from '../../state/document';
-import { problemsOf } from '../awaited';
+import { edit, valueAt, values } from '../../project/document';
+import { problemsOf } from '../../project/awaited';
 import type { Name, Path } from '../../settings/names';
-import { tableAt, thingOf } from '../place';
+import { tableAt, thingOf } from '../../project/place';
 import type { Field as Setting } from '../../settings/schema';
 import { choicesOf, groupsIn, isOffered, type Group } from '../../settings/groups';
 import type { Table } from '../../settings/schema';

@@ -1,9 +1,9 @@
 // A choice of several words: true is all of them, false none.
 
-import { valueAt } from '../../state/document';
+import { valueAt } from '../../project/document';
 import type { TomlValue } from '../../toml/format';
 import { cellText } from '../../settings/numbers';
-import { put } from '../place';
+import { put } from '../../project/place';
 import { chosenWords, wordsValue } from '../../settings/wordChoice';
 import { wordText } from '../../settings/words';
 import type { FieldProps } from './fieldProps';

@@ -1,7 +1,7 @@
 // Common properties of fields and their controls.
 
 import type { Path } from '../../settings/names';
-import { problemsOf } from '../awaited';
+import { problemsOf } from '../../project/awaited';
 import type { Field as Setting } from '../../settings/schema';
 
 export interface FieldProps {

@@ -1,17 +1,17 @@
 // Controls of settings with coordinates: one point, rows of points, a line.
 
 import { useEffect } from 'preact/hooks';
-import { edit, valueAt, values } from '../../state/document';
-import { problemsAt } from '../../state/model';
+import { edit, valueAt, values } from '../../project/document';
+import { problemsAt } from '../../project/model';
 import type { Path } from '../../settings/names';
 import type { TomlValue } from '../../toml/format';
-import { columnsAt } from '../columns';
+import { columnsAt } from '../../project/columns';
 import { consequences } from '../../settings/consequences';
 import { cellText } from '../../settings/numbers';
-import { is2d, pathText, put, tableAt, thingOf } from '../place';
+import { is2d, pathText, put, tableAt, thingOf } from '../../project/place';
 import { absentText } from '../../settings/words';
 import { cellsOf, rowEdits, rowValue } from '../../settings/rows';
-import { keepWaiting, waitingAt } from '../unfinished';
+import { keepWaiting, waitingAt } from '../../project/unfinished';
 import { isBlank, isSameRow, type Waiting } from '../../settings/waitingRows';
 import { Choice } from './Choice';
 import { DrawButton } from './DrawButton';

@@ -1,7 +1,7 @@
 // Settings that refer to other entries of the project: materials, barriers, collectors.
 
-import { rowsOf, valueAt } from '../../state/document';
-import { nameOf, put } from '../place';
+import { rowsOf, valueAt } from '../../project/document';
+import { nameOf, put } from '../../project/place';
 import { absentText } from '../../settings/words';
 import { cellText } from '../../settings/numbers';
 import { Choice } from './Choice';

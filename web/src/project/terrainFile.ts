@@ -1,6 +1,6 @@
 // Uses a file as the terrain: chosen, uploaded, or dropped on the page.
 
-import { edit } from '../state/document';
+import { edit } from './document';
 import { notify, reportFailure } from '../state/messages';
 import { chosen, sidePanel } from '../state/view';
 import { fileFormats } from '../generated/schema';

@@ -4,7 +4,7 @@ import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { FileKind, FolderFile } from '../api/types';
 import { reportFailure } from '../state/messages';
-import { rebuild } from '../state/model';
+import { rebuild } from './model';
 import type { Name } from '../settings/names';
 import { askToReplace } from './replacing';
 

@@ -3,7 +3,7 @@
 
 import { effect, signal } from '@preact/signals';
 import { storageKey } from '../state/about';
-import { file, values } from '../state/document';
+import { file, values } from './document';
 import type { TomlTable } from '../toml/format';
 import { following, stillOpen, type Unfinished } from '../settings/following';
 import { isBlank, type Waiting } from '../settings/waitingRows';

@@ -1,7 +1,7 @@
 // Stores typed text before any action on the project. Leaving a field ends a step of Undo.
 
-import { endStep } from '../state/document';
-import { storeOnLeaving } from '../state/drafts';
+import { endStep } from './document';
+import { storeOnLeaving } from './drafts';
 
 export const isWriting = (target: EventTarget | null) =>
   target instanceof HTMLElement &&

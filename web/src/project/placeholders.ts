@@ -3,7 +3,8 @@
 
 import type { Model, Problem } from '../api/types';
 import { pathOf, type Edit, type Row, type TableName } from '../settings/names';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import type { TomlValue } from '../toml/format';
 import { isTable } from '../settings/tables';
 

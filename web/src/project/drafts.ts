@@ -4,11 +4,11 @@
 import { effect, signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { Draft, KeptDraft } from '../api/types';
-import { storageKey, workplace } from './about';
+import { storageKey, workplace } from '../state/about';
 import { file, isChanged, opening, savedHash, text } from './document';
 import { removeLocal, storeLocal } from './localDrafts';
 import { tabOf, type LocalDraft } from './revisions';
-import { writeInTurn } from './writes';
+import { writeInTurn } from '../state/writes';
 
 /// Identifies this page until it is reloaded.
 const tab = Math.random().toString(36).slice(2, 12);

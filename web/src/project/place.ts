@@ -1,8 +1,8 @@
 // Paths and names of entries of the project, and setting their values.
 
 import { computed } from '@preact/signals';
-import { edit, rowsOf, valueAt, values } from '../state/document';
-import { model } from '../state/model';
+import { edit, rowsOf, valueAt, values } from './document';
+import { model } from './model';
 import { defaultOf, type Edit, type Path, type Row, type TableName } from '../settings/names';
 import type { TomlValue } from '../toml/format';
 import { consequences } from '../settings/consequences';
@@ -10,8 +10,6 @@ import { renaming, type FormerName } from '../settings/renames';
 import type { Field } from '../settings/schema';
 import { sections } from '../settings/sections';
 import { isTable } from '../settings/tables';
-
-export { isTable } from '../settings/tables';
 
 /// A table of the project; empty if it does not exist.
 export function tableAt<T extends TableName>(path: readonly [T] | readonly [T, number]): Row<T>;

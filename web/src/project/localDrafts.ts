@@ -1,7 +1,7 @@
 // Drafts stored in the browser because they could not be sent to the server: one per tab, so that none replaces another.
 
 import type { Draft } from '../api/types';
-import { storageKey } from './about';
+import { storageKey } from '../state/about';
 import { tabOf, type LocalDraft } from './revisions';
 
 const keyOf = (name: string) => storageKey('draft', name);

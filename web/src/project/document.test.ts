@@ -1,6 +1,6 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { begin, edit, endStep, isChanged, leave, markSaved, recordBeside, redo, replaceText, text, undo, undoes, values } from './document';
-import { messages } from './messages';
+import { messages } from '../state/messages';
 
 const saved = '[ground]\ndefault = "Rock"\n';
 const set = (value: number) => edit('change Rocks', [{ set: ['rocks'], value }], 'rocks');

@@ -1,6 +1,6 @@
 // Adds, copies and deletes materials, areas, seeders, barriers and collectors.
 
-import { edit, rowsOf, values } from '../state/document';
+import { edit, rowsOf, values } from './document';
 import { chosen } from '../state/view';
 import { defaultOf, type Edit, type KeyOf, type Row, type TableName } from '../settings/names';
 import type { TomlTable } from '../toml/format';

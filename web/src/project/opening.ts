@@ -3,7 +3,7 @@
 import { batch, effect } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { ProjectText } from '../api/types';
-import { about, storageKey } from './about';
+import { about, storageKey } from '../state/about';
 import { begin, file, leave, replaceText, restored, savedHash } from './document';
 import { discard, draftsAside, recordDraft, storeHere, storeNow } from './drafts';
 import { storeThumbnail } from '../view/thumbnail';

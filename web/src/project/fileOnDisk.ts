@@ -2,8 +2,8 @@
 
 import { api, Refused } from '../api/client';
 import { file, isChanged, markSaved, opening, replaceText, restored, savedHash } from './document';
-import { notify, reportFailure } from './messages';
-import { writeInTurn } from './writes';
+import { notify, reportFailure } from '../state/messages';
+import { writeInTurn } from '../state/writes';
 
 /// The hash of the file when the user was last informed about it; null if the file does not exist.
 let known: string | null = null;

@@ -2,13 +2,13 @@
 
 import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
-import { leftOut } from '../model/leftOut';
-import { workplace } from './about';
+import { leftOut } from './leftOut';
+import { workplace } from '../state/about';
 import { file, markSaved, opening, replaceText, savedHash, text } from './document';
 import { deleteDraft, nextRevision } from './drafts';
 import { setKnownFile } from './fileOnDisk';
-import { notify, reportFailure, resolve } from './messages';
-import { writeInTurn } from './writes';
+import { notify, reportFailure, resolve } from '../state/messages';
+import { writeInTurn } from '../state/writes';
 
 /// Why the file was not saved: another program changed it. Null once the user has decided.
 export const conflict = signal<string | null>(null);

@@ -3,9 +3,9 @@
 import { batch, effect, signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { Model, Problem } from '../api/types';
-import { withoutPlaceholders, withPlaceholders, withTerrainProblems } from '../model/placeholders';
+import { withoutPlaceholders, withPlaceholders, withTerrainProblems } from './placeholders';
 import { file, text } from './document';
-import { reportFailure, resolve } from './messages';
+import { reportFailure, resolve } from '../state/messages';
 
 /// The last model that could be built. While a change is being checked, or if its terrain has errors, it is that of an
 /// earlier text. Other entries with errors are left out.

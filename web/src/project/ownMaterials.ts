@@ -4,11 +4,12 @@
 import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import { workplace } from '../state/about';
-import { file, rowsOf } from '../state/document';
-import { nextRevision } from '../state/drafts';
+import { file, rowsOf } from './document';
+import { nextRevision } from './drafts';
 import { notify } from '../state/messages';
 import { writeInTurn } from '../state/writes';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import type { TomlTable } from '../toml/format';
 import type { Row } from '../settings/names';
 import { readFolder } from './files';

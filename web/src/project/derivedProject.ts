@@ -1,8 +1,8 @@
 // A new project beside the open one, made from it.
 
-import { readFolder } from '../model/files';
-import { close, start } from '../state/opening';
-import { save } from '../state/saving';
+import { readFolder } from './files';
+import { close, start } from './opening';
+import { save } from './saving';
 import { allWritten } from '../state/writes';
 
 /// A name beside the project that no file has: "slope-posterior", without ending.

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import type { Problem } from '../api/types';
-import { valuesOf } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import { withPlaceholders, withTerrainProblems } from './placeholders';
 
 const error = (path: string): Problem => ({

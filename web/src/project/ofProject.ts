@@ -1,7 +1,7 @@
 // Signals that belong to the open project. They are reset when another project is opened.
 
 import { effect, signal, untracked, type Signal } from '@preact/signals';
-import { storageKey } from './about';
+import { storageKey } from '../state/about';
 import { file, opening } from './document';
 
 /// A signal that is reset whenever a project is opened or closed.

@@ -4,7 +4,7 @@ import { effect, signal } from '@preact/signals';
 import { getJson, Refused } from '../api/client';
 import type { Point2 } from '../api/types';
 import { reportFailure } from '../state/messages';
-import { build, model } from '../state/model';
+import { build, model } from './model';
 import { distanceToLine } from '../geometry/nearness';
 
 export interface Profile {

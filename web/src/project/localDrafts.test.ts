@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from 'vitest';
-import { storageKey } from './about';
+import { storageKey } from '../state/about';
 import { localDraftsOf, storeLocal } from './localDrafts';
 
 afterEach(() => localStorage.clear());

@@ -2,8 +2,8 @@
 
 import { computed } from '@preact/signals';
 import type { Problem } from '../api/types';
-import { values } from '../state/document';
-import { layerProblems, problems, problemsAt } from '../state/model';
+import { values } from './document';
+import { layerProblems, problems, problemsAt } from './model';
 import { pathOf, type Path } from '../settings/names';
 import { columnsAt } from './columns';
 import { pathText } from './place';

@@ -3,9 +3,10 @@
 
 import { batch, computed, effect, signal } from '@preact/signals';
 import type { Edit, Path, Row, TableName } from '../settings/names';
-import { edited, valuesOf } from '../toml/edit';
+import { edited } from '../toml/edit';
+import { valuesOf } from '../toml/values';
 import type { TomlTable, TomlValue } from '../toml/format';
-import { notify, resolve, resolveAll } from './messages';
+import { notify, resolve, resolveAll } from '../state/messages';
 
 /// A change beside the text, such as that of a drawn line, with the functions that undo and redo it.
 interface Beside {
