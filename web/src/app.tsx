@@ -7,7 +7,7 @@ import { file } from './project/document';
 import { goToAddress, listenToHistory } from './state/history';
 import { reportFailure } from './state/messages';
 import { lastOpen, open } from './project/opening';
-import { follow } from './state/runs';
+import { follow } from './runs/runs';
 import { ReplaceDialog } from './model/ReplaceDialog';
 import { StartPage } from './start/StartPage';
 import { Messages } from './ui/Messages';

@@ -6,7 +6,7 @@ import { blocksLoaded } from '../paths/drawnBlocks';
 import { endTime, goTo, pause, time } from '../paths/playback';
 import { file, fileStem, values } from '../project/document';
 import { reportFailure } from '../state/messages';
-import { shown } from '../state/runs';
+import { shown } from '../runs/runs';
 import { frameCount, lastDelay, timesOf, type Plan } from './frames';
 import { Gif } from './gif';
 

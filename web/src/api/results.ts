@@ -1,6 +1,6 @@
 // Requests for the results of a run.
 
-import type { RockFilter } from '../state/filter';
+import type { RockFilter } from '../runs/filter';
 import { getJson, getText } from './client';
 import { parseExact, type NumberText } from './exact';
 import type { Difference, RockAnswer, RunMap, Statistics } from './types';

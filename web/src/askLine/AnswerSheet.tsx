@@ -7,7 +7,7 @@ import { about } from '../state/about';
 import { file } from '../project/document';
 import { displayOf } from '../state/displayUnits';
 import { model } from '../project/model';
-import { shown } from '../state/runs';
+import { shown } from '../runs/runs';
 import { isOutdated } from '../runs/outdated';
 import { counted, fixedText, numberText } from '../units/numbers';
 import { projectTitle, titleBlockFacts } from '../view/sheet';

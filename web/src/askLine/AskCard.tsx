@@ -3,8 +3,8 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { LineAnswer, PolygonAnswer } from '../api/line';
 import { tool } from '../scene/tool';
-import { crossingRocks, filter } from '../state/filter';
-import { hasResults, shown } from '../state/runs';
+import { crossingRocks, filter } from '../runs/filter';
+import { hasResults, shown } from '../runs/runs';
 import { isAsking } from '../state/view';
 import { answer, asked, isWaiting, refusal } from './asked';
 import { AskedChoices } from './AskedChoices';

@@ -1,7 +1,7 @@
 // Whether the rocks are enough for narrow intervals, and how many would do.
 
 import type { Enough } from '../api/line';
-import { compute } from '../state/runs';
+import { compute } from '../runs/runs';
 
 export function EnoughRocks({ of: { text, rocks } }: { of: Enough }) {
   if (text === '') return null;

@@ -7,7 +7,7 @@ import type { Room } from '../figures/plot';
 import { Chart } from '../results/Chart';
 import { shownColour } from '../results/layers';
 import { fileName } from '../results/save';
-import { shown } from '../state/runs';
+import { shown } from '../runs/runs';
 import { displayOf } from '../state/displayUnits';
 import { kept } from '../state/kept';
 import { pointedPart } from './askedOverlay';

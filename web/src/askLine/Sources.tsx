@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { dimension } from '../project/place';
-import { filter } from '../state/filter';
+import { filter } from '../runs/filter';
 import { counted } from '../units/numbers';
 import { sourceColour, type SourceColour } from './asked';
 import { sourcePlaces, sourceText, sourceTitles, toggleRelease } from './sources';

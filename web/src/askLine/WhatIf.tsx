@@ -8,7 +8,7 @@ import { Chart } from '../results/Chart';
 import { useRemote } from '../results/remote';
 import { fileName } from '../results/save';
 import { unitSystem } from '../state/displayUnits';
-import { shown } from '../state/runs';
+import { shown } from '../runs/runs';
 import { barsOf, changeText, figures, figureTitle, nameOf, type WhatIfBar } from './tornadoOf';
 import { begin, openAsRun, refusal, stop, unitOfChange, whatIf, whatIfFigure } from './whatIf';
 import { WhatIfChoices } from './WhatIfChoices';

@@ -5,9 +5,9 @@ import { batch, computed, effect, signal } from '@preact/signals';
 import { asking, type AskedAnswer, type Question } from '../api/line';
 import type { Point2, Run } from '../api/types';
 import { recordBeside, opening } from '../project/document';
-import { crossingRocks, filter } from '../state/filter';
+import { crossingRocks, filter } from '../runs/filter';
 import { keptOfProject, ofProject } from '../project/ofProject';
-import { hasResults, shown } from '../state/runs';
+import { hasResults, shown } from '../runs/runs';
 import { askedText as kept, isAsking } from '../state/view';
 import { askedOf, missingPoints, shapeOf, textOf, type Asked } from './shape';
 

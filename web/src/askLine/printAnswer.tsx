@@ -5,7 +5,7 @@ import { asking, type AskedAnswer } from '../api/line';
 import { results } from '../api/results';
 import { attempt } from '../state/messages';
 import { model } from '../project/model';
-import { shown } from '../state/runs';
+import { shown } from '../runs/runs';
 import { sheetPng } from '../view/sheet';
 import { AnswerSheet } from './AnswerSheet';
 import { asked } from './asked';

@@ -8,7 +8,7 @@ import { textOf } from '../runs/runText';
 import { displayOf } from '../state/displayUnits';
 import { kept } from '../state/kept';
 import { attempt, reportFailure } from '../state/messages';
-import { compute, hasResults, shown } from '../state/runs';
+import { compute, hasResults, shown } from '../runs/runs';
 import { isAsking, sidePanel } from '../state/view';
 import { asked } from './asked';
 import { shapeOf } from './shape';

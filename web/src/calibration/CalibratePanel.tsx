@@ -1,7 +1,7 @@
 // The Calibrate panel: observations, parameters, the study, and the calibrations of the project.
 
 import { TypedInput } from '../model/form/TypedInput';
-import { ownCalibrations } from '../state/runs';
+import { ownCalibrations } from '../runs/runs';
 import { CalibrationCard } from './CalibrationCard';
 import { ObservationList } from './ObservationList';
 import { changeForm, form } from './observations';

@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { RunStateText } from '../runs/RunStateText';
-import { chosenCalibration, remove, resume, shownCalibration, stop } from '../state/runs';
+import { chosenCalibration, remove, resume, shownCalibration, stop } from '../runs/runs';
 import { resultsOpen, resultsTab } from '../state/view';
 import { Dialog } from '../ui/Dialog';
 import { clockText, momentText } from '../units/texts';

@@ -14,7 +14,7 @@ import { fileName } from '../results/save';
 import { Waiting } from '../results/Waiting';
 import { stateText } from '../runs/RunStateText';
 import { reportFailure } from '../state/messages';
-import { shownCalibration } from '../state/runs';
+import { shownCalibration } from '../runs/runs';
 import { ensembles, openBestFit, predictWithPosterior } from './predictions';
 import './calibration.css';
 

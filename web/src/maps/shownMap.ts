@@ -5,7 +5,7 @@ import { getArrays } from '../api/client';
 import { results } from '../api/results';
 import type { RunMap } from '../api/types';
 import { reportFailure } from '../state/messages';
-import { hasResults, shown } from '../state/runs';
+import { hasResults, shown } from '../runs/runs';
 import { drapedMap } from '../state/view';
 import { displayOf, unitSystem } from '../state/displayUnits';
 import { displayedIn } from '../units/units';

@@ -1,7 +1,7 @@
 // The rock filter, in a popover of each view's toolbar.
 
 import { useState } from 'preact/hooks';
-import { everyRock, filter, isFiltering, type RockFilter } from '../state/filter';
+import { everyRock, filter, isFiltering, type RockFilter } from '../runs/filter';
 import { counted } from '../units/numbers';
 import { Popover } from '../view/Popover';
 import { shownPaths } from './drawnPaths';

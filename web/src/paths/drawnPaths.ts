@@ -4,7 +4,7 @@ import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import { getArrays, Refused } from '../api/client';
 import type { Point3, Run } from '../api/types';
 import { reportFailure, resolve } from '../state/messages';
-import { compared, hasResults, shown } from '../state/runs';
+import { compared, hasResults, shown } from '../runs/runs';
 
 /// A number of rocks, and their share with the ends of its confidence interval; null before the first rock.
 export interface CountSoFar {

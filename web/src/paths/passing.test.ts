@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { everyRock } from '../state/filter';
+import { everyRock } from '../runs/filter';
 import { passing } from './passing';
 
 const rocks = {

@@ -2,7 +2,7 @@
 
 import { arePathsShown } from '../maps/over';
 import { isOutdated } from '../runs/outdated';
-import { compared, shown } from '../state/runs';
+import { compared, shown } from '../runs/runs';
 import { counted } from '../units/numbers';
 import { stopsOf, type LegendData } from '../view/legends';
 import { runColour } from '../view/theme';

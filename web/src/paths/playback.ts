@@ -1,7 +1,7 @@
 // The playback time of the rocks. All rocks are released at time 0.
 
 import { computed, effect, signal, untracked } from '@preact/signals';
-import { startedHere } from '../state/runs';
+import { startedHere } from '../runs/runs';
 import { playbackSpeed } from '../view/settings';
 import { shownPaths } from './drawnPaths';
 

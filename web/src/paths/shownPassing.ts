@@ -1,7 +1,7 @@
 // The filter applied to the drawn trajectories.
 
 import { computed, signal, type ReadonlySignal } from '@preact/signals';
-import { crossingRocks, filter, isFiltering } from '../state/filter';
+import { crossingRocks, filter, isFiltering } from '../runs/filter';
 import { comparedPaths, shownPaths, type DrawnPaths } from './drawnPaths';
 import { passing } from './passing';
 

@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { results, type BarrierAnswer } from '../api/results';
 import type { Run } from '../api/types';
-import { filter } from '../state/filter';
+import { filter } from '../runs/filter';
 import { counted } from '../units/numbers';
 import { BarrierCounts } from './BarrierCounts';
 import { ColumnChoice, hitChoices } from './ColumnChoice';

@@ -7,7 +7,7 @@ import { hideTip } from '../figures/tip';
 import type { Room } from '../figures/plot';
 import '../figures/figures.css';
 import { reportFailure } from '../state/messages';
-import { shown } from '../state/runs';
+import { shown } from '../runs/runs';
 
 /// Highlights a point of a figure without the pointer; null: none.
 type Point = (place: number | null) => void;

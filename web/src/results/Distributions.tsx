@@ -3,7 +3,7 @@
 import { useMemo, useState } from 'preact/hooks';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import { filter, isFiltering } from '../state/filter';
+import { filter, isFiltering } from '../runs/filter';
 import { counted } from '../units/numbers';
 import { ColumnChoice, endpointChoices } from './ColumnChoice';
 import { titleOf } from './columns';

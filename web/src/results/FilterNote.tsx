@@ -1,4 +1,4 @@
-import { everyRock, filter, isFiltering } from '../state/filter';
+import { everyRock, filter, isFiltering } from '../runs/filter';
 import { counted } from '../units/numbers';
 
 /// A note that a filter is active, with the number of rocks that pass if known, and a button to reset it.

@@ -5,7 +5,7 @@ import { results, type ColumnStatistics } from '../api/results';
 import type { Run } from '../api/types';
 import { boxes, boxRows } from '../figures/boxes';
 import type { Room } from '../figures/plot';
-import { filter, type RockFilter } from '../state/filter';
+import { filter, type RockFilter } from '../runs/filter';
 import { Chart } from './Chart';
 import { savingOf, titleOf } from './columns';
 import { boxesOf, quantityOf, shownColour, type Layer } from './layers';

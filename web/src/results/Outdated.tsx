@@ -1,6 +1,6 @@
 import { isOutdated } from '../runs/outdated';
 import { problems } from '../project/model';
-import { compute } from '../state/runs';
+import { compute } from '../runs/runs';
 import { sidePanel } from '../state/view';
 
 /// A notice that the results are not those of the current project, with a button to compute again.

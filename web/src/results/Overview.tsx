@@ -3,7 +3,7 @@
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import type { NumberText } from '../api/exact';
-import { filter, isFiltering, type RockFilter } from '../state/filter';
+import { filter, isFiltering, type RockFilter } from '../runs/filter';
 import { clockText } from '../units/texts';
 import { counted, numberText } from '../units/numbers';
 import { endpointColumnOf, titleOf, unitOf } from './columns';

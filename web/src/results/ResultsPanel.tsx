@@ -2,7 +2,7 @@
 
 import { useId } from 'preact/hooks';
 import type { Run, RunState } from '../api/types';
-import { hasResults, ownRuns, resume, shown, shownCalibration, writePartialResults } from '../state/runs';
+import { hasResults, ownRuns, resume, shown, shownCalibration, writePartialResults } from '../runs/runs';
 import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
 import { dimension, tableAt } from '../project/place';
 import { CalibrationTab } from '../calibration/CalibrationTab';

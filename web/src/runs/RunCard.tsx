@@ -1,6 +1,6 @@
 import { useId, useState } from 'preact/hooks';
 import type { Run } from '../api/types';
-import { comparedId, hasResults, remove, resume, shown, shownId, stop } from '../state/runs';
+import { comparedId, hasResults, remove, resume, shown, shownId, stop } from './runs';
 import { Dialog } from '../ui/Dialog';
 import { clockText, momentText } from '../units/texts';
 import { counted, numberText } from '../units/numbers';

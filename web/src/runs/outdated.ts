@@ -3,7 +3,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import { reportFailure } from '../state/messages';
 import { file, text, values } from '../project/document';
-import { hasResults, shown } from '../state/runs';
+import { hasResults, shown } from './runs';
 import { differencesOf } from '../toml/differences';
 import { valuesOf } from '../toml/values';
 import { textOf } from './runText';

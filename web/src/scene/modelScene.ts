@@ -7,7 +7,7 @@ import { shownPaths, type DrawnPaths } from '../paths/drawnPaths';
 import { file } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../project/model';
-import { shown } from '../state/runs';
+import { shown } from '../runs/runs';
 import { markColours } from '../view/colours';
 import { drapedOpacity } from '../state/view';
 import { shownMap } from '../maps/shownMap';

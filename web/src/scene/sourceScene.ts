@@ -3,7 +3,7 @@
 import { effect, signal } from '@preact/signals';
 import { BufferAttribute, BufferGeometry, GLSL3, Group, Points, ShaderMaterial, Vector2, Vector3 } from 'three';
 import { drawnSources, type DrawnSources } from '../askLine/sources';
-import { filter } from '../state/filter';
+import { filter } from '../runs/filter';
 import { colourAt, shareRamp } from '../view/colours';
 import { shade } from '../view/theme';
 import { clear } from './marks';

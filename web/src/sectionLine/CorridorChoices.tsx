@@ -1,6 +1,6 @@
 // What a ground section has besides the ground: the width of its corridor, and its envelope.
 
-import { filter, isFiltering } from '../state/filter';
+import { filter, isFiltering } from '../runs/filter';
 import { displayOf } from '../state/displayUnits';
 import { counted } from '../units/numbers';
 import { corridorWidth, sectionEnvelope } from '../view/settings';

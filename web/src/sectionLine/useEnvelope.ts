@@ -4,7 +4,7 @@ import { useMemo } from 'preact/hooks';
 import { asking } from '../api/line';
 import { useRemote } from '../results/remote';
 import { displayOf, unitSystem } from '../state/displayUnits';
-import { hasResults, shown } from '../state/runs';
+import { hasResults, shown } from '../runs/runs';
 import { corridorWidth, sectionEnvelope } from '../view/settings';
 import { sectionLine } from './sectionLine';
 import { envelopeChoices, envelopeOf, stationsAlong } from './stations';

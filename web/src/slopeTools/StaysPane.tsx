@@ -3,7 +3,7 @@
 import type { Distances, DitchAnswer } from '../api/ditch';
 import { intervalText, percentText } from '../askLine/kit';
 import { isOutdated } from '../runs/outdated';
-import { hasResults, shown } from '../state/runs';
+import { hasResults, shown } from '../runs/runs';
 import { counted, fixedText, numberText } from '../units/numbers';
 import { Compared } from './Compared';
 import { NumberInput } from './NumberInput';

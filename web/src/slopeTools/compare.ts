@@ -7,7 +7,7 @@ import type { Run } from '../api/types';
 import { file, text } from '../project/document';
 import { model } from '../project/model';
 import { ofProject } from '../project/ofProject';
-import { runs, takeAnswer } from '../state/runs';
+import { runs, takeAnswer } from '../runs/runs';
 import { edited } from '../toml/edit';
 import { editsNow, kind, preview } from './state';
 

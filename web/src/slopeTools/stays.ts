@@ -2,7 +2,7 @@
 
 import { batch, effect, signal } from '@preact/signals';
 import { askDitch, type DitchAnswer } from '../api/ditch';
-import { hasResults, shown } from '../state/runs';
+import { hasResults, shown } from '../runs/runs';
 import { slopePane, stretch } from './state';
 
 /// The last answer, also while the next one is loading.

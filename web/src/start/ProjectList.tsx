@@ -6,7 +6,7 @@ import { MoreFiles } from '../model/MoreFiles';
 import { stateText } from '../runs/RunStateText';
 import { reportFailure } from '../state/messages';
 import { open } from '../project/opening';
-import { runs } from '../state/runs';
+import { runs } from '../runs/runs';
 import { bytesText, momentText } from '../units/texts';
 import { counted } from '../units/numbers';
 import { Popover } from '../view/Popover';

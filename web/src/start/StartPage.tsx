@@ -7,7 +7,7 @@ import { listenToDrops } from '../project/terrainFile';
 import { about } from '../state/about';
 import { reportFailure } from '../state/messages';
 import { open } from '../project/opening';
-import { compute, ownRuns } from '../state/runs';
+import { compute, ownRuns } from '../runs/runs';
 import { verifying } from '../state/view';
 import { beginWith, NewProject } from './NewProject';
 import { CardPicture, DeletedProjects, ProjectList } from './ProjectList';

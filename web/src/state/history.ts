@@ -9,7 +9,7 @@ import { addressOf, isStep, placeOf, type Place } from './address';
 import { file, fileStem, rowsOf, values } from '../project/document';
 import { reportFailure } from './messages';
 import { close, open } from '../project/opening';
-import { comparedId, shownId, showRuns } from './runs';
+import { comparedId, shownId, showRuns } from '../runs/runs';
 import { askedText, chosen, chosenRock, drapedMap, isAsking, resultsTab, sidePanel, verifying } from './view';
 import { allWritten } from './writes';
 

@@ -2,7 +2,7 @@ import { file, fileStem, isChanged, redo, redoes, undo, undoes, values } from '.
 import { close } from '../project/opening';
 import { save, savingAs } from '../project/saving';
 import { isBuilding } from '../project/model';
-import { isConnected, running, stop } from '../state/runs';
+import { isConnected, running, stop } from '../runs/runs';
 import { displayOf, unitSystem } from '../state/displayUnits';
 import { theme, type Theme } from '../state/view';
 import { ComputeMenu } from '../runs/ComputeMenu';

@@ -2,7 +2,7 @@
 
 import { file, redo, undo } from '../project/document';
 import { save } from '../project/saving';
-import { compute } from '../state/runs';
+import { compute } from '../runs/runs';
 import { finishTool, removeLastPoint, tool, useTool } from '../scene/tool';
 import { afterTyping, isWriting } from '../project/typing';
 

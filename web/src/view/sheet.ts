@@ -5,7 +5,7 @@ import { file, fileStem, values } from '../project/document';
 import { isTable } from '../settings/tables';
 import { model } from '../project/model';
 import { reportFailure } from '../state/messages';
-import { hasResults, shown } from '../state/runs';
+import { hasResults, shown } from '../runs/runs';
 import { saveFile } from '../figures/files';
 import { counted, numberText } from '../units/numbers';
 import { drawLegends, type LegendData } from './legends';

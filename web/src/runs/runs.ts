@@ -6,10 +6,10 @@ import { leftOut } from '../project/leftOut';
 import type { Run } from '../api/types';
 import { file, text } from '../project/document';
 import { checkFile } from '../project/fileOnDisk';
-import { attempt, notify, reportFailure, resolve } from './messages';
+import { attempt, notify, reportFailure, resolve } from '../state/messages';
 import { rebuild } from '../project/model';
 import { ofProject } from '../project/ofProject';
-import { subscribe } from './news';
+import { subscribe } from '../state/news';
 
 const all = signal<Run[]>([]);
 export const runs = computed(() => all.value.filter(({ kind }) => kind === 'run'));
