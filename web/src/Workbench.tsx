@@ -3,7 +3,8 @@
 import { useEffect } from 'preact/hooks';
 import { unitSystem } from './state/displayUnits';
 import { isStale } from './project/model';
-import { isAsking, sidePanel } from './state/view';
+import { showPanel, sidePanel } from './state/panels';
+import { isAsking } from './askLine/asked';
 import { AskCard } from './askLine/AskCard';
 import { takeLineFiles } from './askLine/lineFiles';
 import { ModelPanel } from './model/ModelPanel';
@@ -47,7 +48,7 @@ export function Workbench() {
             { name: 'text', title: 'Text' },
           ]}
           now={sidePanel.value}
-          choose={(name) => (sidePanel.value = name)}
+          choose={showPanel}
         />
         <div class="body">
           {sidePanel.value === 'model' && <ModelPanel />}

@@ -1,4 +1,4 @@
-import { isAsking } from '../state/view';
+import { isAsking, openCard } from './asked';
 
 export function AskButton() {
   const isOn = isAsking.value;
@@ -7,7 +7,7 @@ export function AskButton() {
       class="button"
       aria-pressed={isOn}
       title="Which rocks cross a line, and what would stop them there"
-      onClick={() => (isAsking.value = !isOn)}
+      onClick={() => openCard(!isOn)}
     >
       Ask a line
     </button>

@@ -5,8 +5,7 @@ import type { LineAnswer, PolygonAnswer } from '../api/line';
 import { tool } from '../scene/tool';
 import { crossingRocks, filter } from '../runs/filter';
 import { hasResults, shown } from '../runs/runs';
-import { isAsking } from '../state/view';
-import { answer, asked, isWaiting, refusal } from './asked';
+import { answer, asked, isWaiting, openCard, refusal } from './asked';
 import { AskedChoices } from './AskedChoices';
 import { Figures, figuresOfArea, figuresOfLine, Shares } from './AskedFigures';
 import { AskedPoints } from './AskedPoints';
@@ -103,7 +102,7 @@ export function AskCard() {
       tabIndex={-1}
       onKeyDown={(event) => {
         const isTyping = event.target instanceof HTMLInputElement && event.target.type === 'text';
-        if (event.key === 'Escape' && !isTyping && !tool.value) isAsking.value = false;
+        if (event.key === 'Escape' && !isTyping && !tool.value) openCard(false);
       }}
     >
       <header>
@@ -113,7 +112,7 @@ export function AskCard() {
             A4 sheet
           </button>
         )}
-        <button class="button plain icon" aria-label="Close" title="Close (Escape)" onClick={() => (isAsking.value = false)}>
+        <button class="button plain icon" aria-label="Close" title="Close (Escape)" onClick={() => openCard(false)}>
           ×
         </button>
       </header>

@@ -3,7 +3,7 @@
 import type { LineAnswer } from '../api/line';
 import { add } from '../project/things';
 import { dimension } from '../project/place';
-import { sidePanel } from '../state/view';
+import { showPanel } from '../state/panels';
 import { asked, kitEnergy, kitHeight } from './asked';
 import { pointsOf } from './askTools';
 import { nearestIndex } from './kit';
@@ -16,7 +16,7 @@ export function BuildHere({ of: { kits } }: { of: LineAnswer }) {
   const line = dimension.value === 2 ? pointsOf(now)[0]![0] : pointsOf(now);
   const put = (kind: 'barrier' | 'collector') => {
     add(kind, kind === 'barrier' ? { line, height_m, capacity_kJ } : { line, height_m }, `put a ${kind} at the asked line`);
-    sidePanel.value = 'model';
+    showPanel('model');
   };
   return (
     <div class="asked-build">

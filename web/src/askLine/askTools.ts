@@ -8,9 +8,8 @@ import { rounded } from '../geometry/plan';
 import { grips, tool, useTool, type GripDrag } from '../scene/tool';
 import { valueAt } from '../project/document';
 import { model } from '../project/model';
-import { isAsking } from '../state/view';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
-import { answer, ask, asked, draggedPoints } from './asked';
+import { answer, ask, asked, draggedPoints, isAsking, openCard } from './asked';
 import { onGround } from './foot';
 import { moved, type Asked } from './shape';
 
@@ -24,7 +23,7 @@ const extent = () => {
 const onPlan = ([x, y]: readonly number[]): Point2 => [rounded(x!, extent()), rounded(y!, extent())];
 
 export function drawAsked(kind: 'line' | 'polygon') {
-  isAsking.value = true;
+  openCard();
   if (isDrawing(kind)) return useTool(null);
   if (dimension.peek() === 2)
     draw({

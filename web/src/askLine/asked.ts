@@ -1,15 +1,28 @@
 // The asked line or area, the kit, and the answer of the run. What is asked is not part of the project: the browser keeps it
 // for each project. Every change of it is a step of Undo.
 
-import { batch, computed, effect, signal } from '@preact/signals';
+import { batch, computed, effect, signal, type ReadonlySignal } from '@preact/signals';
 import { asking, type AskedAnswer, type Question } from '../api/line';
 import type { Point2, Run } from '../api/types';
 import { recordBeside, opening } from '../project/document';
 import { crossingRocks, filter } from '../runs/filter';
 import { keptOfProject, ofProject } from '../project/ofProject';
 import { hasResults, shown } from '../runs/runs';
-import { askedText as kept, isAsking } from '../state/view';
 import { askedOf, missingPoints, shapeOf, textOf, type Asked } from './shape';
+
+const isOpen = keptOfProject<boolean>('asking a line', false);
+/// Whether a line is asked: its card is open.
+export const isAsking: ReadonlySignal<boolean> = isOpen;
+export const openCard = (opens = true) => void (isOpen.value = opens);
+
+const kept = keptOfProject<string>('asked line', '');
+/// What is asked, as text (shape.ts); empty: nothing.
+export const askedText: ReadonlySignal<string> = kept;
+/// Opens the card with what an address asks; without a question it keeps its own, and null closes it.
+export function openAsked(text: string | null) {
+  openCard(text !== null);
+  if (text) kept.value = text;
+}
 
 export const asked = computed<Asked | null>(() => (kept.value === '' ? null : askedOf(kept.value)));
 /// The points while they are dragged.
@@ -29,7 +42,7 @@ export function ask(next: Asked | null, what: string) {
   const put = (text: string) =>
     batch(() => {
       kept.value = text;
-      isAsking.value = true;
+      isOpen.value = true;
     });
   put(after);
   recordBeside(what, () => put(before), () => put(after));

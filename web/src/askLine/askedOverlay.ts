@@ -3,9 +3,8 @@
 import { effect, signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
 import { showOverlay, type Overlay } from '../scene/tool';
-import { isAsking } from '../state/view';
 import { markColours } from '../view/colours';
-import { answer, askedNow, draggedPoints } from './asked';
+import { answer, askedNow, draggedPoints, isAsking } from './asked';
 import { cornersOf, groundOf } from './askTools';
 import { partOf } from './foot';
 

@@ -9,9 +9,8 @@ import { camera } from '../scene/picture';
 import { tool, useTool } from '../scene/tool';
 import { notify, reportFailure, resolve } from '../state/messages';
 import { model } from '../project/model';
-import { isAsking } from '../state/view';
 import { numberText } from '../units/numbers';
-import { ask } from './asked';
+import { ask, openCard } from './asked';
 
 const names = { layer: 'Take a line of a layer', contour: 'Take a contour' } as const;
 export const isTaking = (what: keyof typeof names) => tool.value?.name === names[what];
@@ -54,7 +53,7 @@ async function takeContour([x, y]: Point3, elevation_m?: number) {
 }
 
 export function takeFromMap(what: keyof typeof names, elevation?: () => number | undefined) {
-  isAsking.value = true;
+  openCard();
   if (isTaking(what)) return useTool(null);
   if (dimension.peek() === 2) return;
   draw({

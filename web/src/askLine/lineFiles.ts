@@ -8,9 +8,8 @@ import { files, fittingName, uploadFiles } from '../project/files';
 import { file } from '../project/document';
 import { notify, resolve } from '../state/messages';
 import { model } from '../project/model';
-import { isAsking } from '../state/view';
 import { counted } from '../units/numbers';
-import { ask } from './asked';
+import { ask, openCard } from './asked';
 import { pointsOfText } from './textLine';
 
 interface ReadShape {
@@ -23,7 +22,7 @@ async function takeText(of: File) {
   if (!points)
     return notify('error', `${of.name} has no line: it needs two or more rows, with x and y in metres in the first two columns.`, 'asked file');
   resolve('asked file');
-  isAsking.value = true;
+  openCard();
   ask({ kind: 'line', points }, `ask ${of.name}`);
 }
 
@@ -43,7 +42,7 @@ export async function takeLineFiles(list: readonly File[]) {
   for (const problem of problems) notify('note', problem.text);
   const [shape] = shapes;
   if (!shape) return;
-  isAsking.value = true;
+  openCard();
   ask({ kind: shape.kind, points: shape.points }, `ask ${name}`);
   if (shapes.length > 1) notify('note', `${name} has ${counted(shapes.length, 'line')}; the first one is asked.`);
 }

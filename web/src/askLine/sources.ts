@@ -7,13 +7,12 @@ import type { Point3, Run } from '../api/types';
 import { reportFailure } from '../state/messages';
 import { filter } from '../runs/filter';
 import { hasResults, shown } from '../runs/runs';
-import { isAsking } from '../state/view';
 import { stopsOf, type LegendData } from '../view/legends';
 import { shareRamp } from '../view/colours';
 import { shade } from '../view/theme';
 import { counted } from '../units/numbers';
 import { roundUp } from '../geometry/ticks';
-import { answer, sourceColour, type SourceColour } from './asked';
+import { answer, isAsking, sourceColour, type SourceColour } from './asked';
 import { percentText } from './kit';
 
 /// The release places of the shown run; null while unknown.

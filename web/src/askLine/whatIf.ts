@@ -9,8 +9,8 @@ import { displayOf } from '../state/displayUnits';
 import { kept } from '../state/kept';
 import { attempt, reportFailure } from '../state/messages';
 import { compute, hasResults, shown } from '../runs/runs';
-import { isAsking, sidePanel } from '../state/view';
-import { asked } from './asked';
+import { showPanel } from '../state/panels';
+import { asked, isAsking } from './asked';
 import { shapeOf } from './shape';
 import { changeIn, editsOf, figures, nameOf } from './tornadoOf';
 
@@ -80,6 +80,6 @@ export const openAsRun = (of: WhatIfState, variation: Variation) =>
   attempt('what if', async () => {
     const text = edited(await textOf(of.run), editsOf(variation.changes));
     const { rocks, seed } = of.overrides;
-    sidePanel.value = 'runs';
+    showPanel('runs');
     await compute({ name: nameOf(variation), ...(rocks !== null && { rocks }), ...(seed !== null && { seed }) }, text);
   });

@@ -2,7 +2,7 @@ import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { RunStateText } from '../runs/RunStateText';
 import { chosenCalibration, remove, resume, shownCalibration, stop } from '../runs/runs';
-import { resultsOpen, resultsTab } from '../state/view';
+import { openResults, resultsTab, showTab } from '../state/panels';
 import { Dialog } from '../ui/Dialog';
 import { clockText, momentText } from '../units/texts';
 import { counted } from '../units/numbers';
@@ -39,8 +39,8 @@ export function CalibrationCard({ run }: { run: Run }) {
             aria-pressed={isShown}
             onClick={() => {
               chosenCalibration.value = run.id;
-              resultsTab.value = 'calibration';
-              resultsOpen.value = true;
+              showTab('calibration');
+              openResults();
             }}
           >
             Results

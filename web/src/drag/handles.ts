@@ -10,7 +10,7 @@ import { groundBelow, profile } from '../project/profile';
 import { rowsOf, syntaxError, values } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../project/model';
-import { chosen } from '../state/view';
+import { chosen } from '../project/chosen';
 import { shapeOf, type Shape } from './shapes';
 
 export interface Handles {

@@ -12,7 +12,9 @@ import { add, copy, remove } from '../project/things';
 import { edit, rowsOf, valueAt, values } from '../project/document';
 import { notify } from '../state/messages';
 import { model } from '../project/model';
-import { chosen, chosenRock, resultsOpen, resultsTab, sidePanel } from '../state/view';
+import { chosen, openForm } from '../project/chosen';
+import { showRock } from '../runs/chosenRock';
+import { openResults } from '../state/panels';
 import type { TomlValue } from '../toml/format';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { handleAt, type DragView } from './drag';
@@ -39,11 +41,6 @@ const extent = () => {
 };
 const short = (value: number) => rounded(value, extent());
 const inView = ([x, y, z]: Point3): string => (is2d.peek() ? `${short(x)}, ${short(z)}` : `${short(x)}, ${short(y)}, ${short(z)}`);
-
-function openForm(path: Path) {
-  sidePanel.value = 'model';
-  chosen.value = path;
-}
 
 function setRows(what: string, rows: TomlValue[][]) {
   const { path } = handles.peek()!.shape;
@@ -135,7 +132,7 @@ export function openMenu(view: DragView, at: Pixel, window: { x: number; y: numb
     ...(handle && handle !== 'line' ? ofVertex(handle.vertex) : handle === 'line' || isOnSection ? ofLine(view, at, place) : []),
     ...(thing ? ofThing(thing) : []),
     ...(rock !== null
-      ? [{ title: `Show rock ${rock}`, act: () => void ([chosenRock.value, resultsTab.value, resultsOpen.value] = [rock, 'rock', true]) }]
+      ? [{ title: `Show rock ${rock}`, act: () => void (showRock(rock), openResults()) }]
       : []),
     ...(place ? [...ofPlace(place), ...more(place)] : []),
   ];

@@ -1,7 +1,8 @@
 // The reference layers in the menu Layers of the view: on and off, opacity, order, and what is wrong with their files.
 
 import { edit, rowsOf } from '../project/document';
-import { chosen, sidePanel } from '../state/view';
+import { openForm } from '../project/chosen';
+import { showPanel } from '../state/panels';
 import { add } from '../project/things';
 import { mostDraped } from './draped';
 import { changeLayer, isDrawn, projectLayers, type Layer } from './layers';
@@ -13,10 +14,7 @@ function bringToTop({ index, name }: Layer) {
   if (row) edit(`draw ${name} on top`, [{ remove: ['layer', index] }, { append: ['layer'], value: row }]);
 }
 
-function open(index: number) {
-  chosen.value = ['layer', index];
-  sidePanel.value = 'model';
-}
+const open = (index: number) => openForm(['layer', index]);
 
 function LayerItem({ layer, isTop }: { layer: Layer; isTop: boolean }) {
   const { name, visible, opacity, found, problems, index } = layer;
@@ -69,7 +67,7 @@ export function LayerList() {
         class="button plain"
         onClick={() => {
           add('layer');
-          sidePanel.value = 'model';
+          showPanel('model');
         }}
       >
         + Add a layer

@@ -1,6 +1,6 @@
 // Files that were dropped on the page or imported: stored beside the project, and then asked what they are.
 
-import { ask } from '../askLine/asked';
+import { ask, openCard } from '../askLine/asked';
 import { getJson, Refused } from '../api/client';
 import type { Problem } from '../api/types';
 import { fileFormats } from '../generated/schema';
@@ -17,7 +17,7 @@ import { inFolder } from '../calibration/observations';
 import { edit, file, rowsOf } from '../project/document';
 import { ofProject } from '../project/ofProject';
 import { modelNow } from '../project/model';
-import { chosen, isAsking, sidePanel } from '../state/view';
+import { openForm } from '../project/chosen';
 import { unpacked } from './unzip';
 import { triedAs, triedBoth } from './triedTerrain';
 import { barrierEdits, choicesFor, layerEdits, refusals, releaseEdits, terrainChoices, type Choice, type ReadShape, type Use } from './uses';
@@ -105,8 +105,7 @@ const namesIn = (...keys: TableName[]) => keys.flatMap((key) => rowsOf(key).map(
 function put(key: TableName, what: string, edits: readonly Edit[]) {
   const index = rowsOf(key).length;
   if (!edit(what, edits)) return;
-  chosen.value = [key, index];
-  sidePanel.value = 'model';
+  openForm([key, index]);
 }
 
 /// Puts the file into the project as the user chose, as one step of Undo.
@@ -123,24 +122,24 @@ export function useDropped({ name, shapes }: Dropped, use: Use) {
     case 'ground': {
       const way = groundWays.find((each) => each.name === 'polygons')!;
       const edits = [...changeWay(way, tableAt(['ground']), materialNames()), { set: ['ground', 'polygons'] as const, value: name }];
-      if (edit(`use ${name} for the ground`, edits)) [chosen.value, sidePanel.value] = [['ground'], 'model'];
+      if (edit(`use ${name} for the ground`, edits)) openForm(['ground']);
       return;
     }
     case 'ask': {
       const shape = shapes?.find(({ kind }) => kind === 'line') ?? shapes?.[0];
       if (!shape) return;
-      isAsking.value = true;
+      openCard();
       return ask({ kind: shape.kind, points: shape.points }, `ask ${name}`);
     }
     case 'section': {
-      if (edit(`use ${name} as the section`, sectionEdits(name, tableAt(['terrain'])))) [chosen.value, sidePanel.value] = [['terrain'], 'model'];
+      if (edit(`use ${name} as the section`, sectionEdits(name, tableAt(['terrain'])))) openForm(['terrain']);
       return;
     }
     case 'terrain': {
       const terrain = terrainOfFile(name);
       if (!terrain) return;
       useTerrainFile(name, terrain.kind, terrain.key);
-      [chosen.value, sidePanel.value] = [['terrain'], 'model'];
+      openForm(['terrain']);
       return;
     }
     case 'store':

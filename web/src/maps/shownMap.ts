@@ -1,12 +1,13 @@
 // The map of the shown run that is draped over the terrain.
 
-import { effect, signal } from '@preact/signals';
+import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import { getArrays } from '../api/client';
 import { results } from '../api/results';
 import type { RunMap } from '../api/types';
 import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../runs/runs';
-import { drapedMap } from '../state/view';
+import { kept } from '../state/kept';
+import { ofProject } from '../project/ofProject';
 import { displayOf, unitSystem } from '../state/displayUnits';
 import { displayedIn } from '../units/units';
 import type { MapClass } from './classes';
@@ -30,7 +31,18 @@ export interface ShownMap {
 /// The maximum number of cells along the longer side.
 const pixels = 1024;
 
-export const shownMap = signal<ShownMap | null>(null);
+const draped = ofProject<string | null>(null);
+/// The name of the map that is draped over the terrain.
+export const drapedMap: ReadonlySignal<string | null> = draped;
+export const drape = (name: string | null) => void (draped.value = name);
+
+const opacity = kept('opacity of the map', 1);
+export const drapedOpacity: ReadonlySignal<number> = opacity;
+export const setOpacity = (next: number) => void (opacity.value = next);
+
+const loaded = signal<ShownMap | null>(null);
+/// The draped map, once it is loaded.
+export const shownMap: ReadonlySignal<ShownMap | null> = loaded;
 
 function mapOf({ name, meaning, unit: unitOfFile }: RunMap, header: MapHeader, inFile: Float32Array): ShownMap {
   const { unit, per } = displayOf(unitOfFile);
@@ -47,7 +59,7 @@ effect(() => {
   const [run, name] = [shown.value, drapedMap.value];
   void unitSystem.value; // its unit is that of the map
   if (!run || !hasResults(run) || run.dimension !== 3 || name === null) {
-    shownMap.value = null;
+    loaded.value = null;
     return;
   }
   const asking = new AbortController();
@@ -55,11 +67,11 @@ effect(() => {
   Promise.all([getArrays<MapHeader>(path, asking.signal), results.maps(run.id, asking.signal)]).then(
     ([{ header, arrays }, maps]) => {
       const map = maps.find((each) => each.name === name);
-      if (!asking.signal.aborted && map) shownMap.value = mapOf(map, header, arrays.values as Float32Array);
+      if (!asking.signal.aborted && map) loaded.value = mapOf(map, header, arrays.values as Float32Array);
     },
     (error: unknown) => {
       if (asking.signal.aborted) return;
-      shownMap.value = null;
+      loaded.value = null;
       reportFailure(error);
     },
   );

@@ -2,7 +2,8 @@
 
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../project/document';
-import { chosen, helpOpen } from '../state/view';
+import { choose, chosen } from '../project/chosen';
+import { explainsAll, toggleExplaining } from './form/explaining';
 import type { Path, TableName } from '../settings/names';
 import { DocumentDialog } from '../help/Document';
 import { DraftNotice } from './DraftNotice';
@@ -61,7 +62,7 @@ function FormPage({ path }: { path: Path }) {
   return (
     <section class="form-page" aria-label={title}>
       <header>
-        <button class="button plain back" onClick={() => (chosen.value = null)}>
+        <button class="button plain back" onClick={() => choose(null)}>
           ‹ Model
         </button>
         <h2 ref={heading} tabIndex={-1}>
@@ -69,10 +70,10 @@ function FormPage({ path }: { path: Path }) {
         </h2>
         <button
           class="button icon"
-          aria-pressed={helpOpen.value}
+          aria-pressed={explainsAll.value}
           title="Explain every setting"
           aria-label="Explain every setting"
-          onClick={() => (helpOpen.value = !helpOpen.value)}
+          onClick={toggleExplaining}
         >
           ?
         </button>

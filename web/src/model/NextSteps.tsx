@@ -1,5 +1,5 @@
 import { values } from '../project/document';
-import { chosen } from '../state/view';
+import { choose } from '../project/chosen';
 import { add, nextSteps } from '../project/things';
 
 /// The next steps of a project that cannot run yet.
@@ -16,7 +16,7 @@ export function NextSteps() {
             <span>{what}</span>
             <button
               class={`button ${k === 0 ? 'first' : ''}`}
-              onClick={() => (key === 'terrain' ? (chosen.value = ['terrain']) : add(key))}
+              onClick={() => (key === 'terrain' ? choose(['terrain']) : add(key))}
             >
               {actions[key]}
             </button>

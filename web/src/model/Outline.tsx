@@ -2,7 +2,7 @@
 
 import { rowsOf, values } from '../project/document';
 import { realProblemsAt, toneOf } from '../project/awaited';
-import { chosen } from '../state/view';
+import { choose } from '../project/chosen';
 import { NextSteps } from './NextSteps';
 import { summaryOf } from './summaries';
 import { sections, type Section } from '../settings/sections';
@@ -38,7 +38,7 @@ function Row({
   colour?: string;
 }) {
   return (
-    <button class="item" data-item={path.join('.')} onClick={() => (chosen.value = path)}>
+    <button class="item" data-item={path.join('.')} onClick={() => choose(path)}>
       {colour && <span class="chip" style={{ background: colour }} />}
       <span class="name">{title}</span>
       <span class="faint detail">{detail}</span>

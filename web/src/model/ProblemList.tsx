@@ -2,7 +2,8 @@
 
 import type { Problem } from '../api/types';
 import { syntaxError } from '../project/document';
-import { chosen, sidePanel } from '../state/view';
+import { choose } from '../project/chosen';
+import { showPanel } from '../state/panels';
 import { counted } from '../units/numbers';
 import { pathOf, type Path } from '../settings/names';
 import { sectionOf } from '../settings/sections';
@@ -22,10 +23,10 @@ export function formOf(path: string): Path | null {
 function show(problem: Problem) {
   const form = formOf(problem.path);
   if (!form) {
-    sidePanel.value = 'text';
+    showPanel('text');
     return;
   }
-  chosen.value = form;
+  choose(form);
   requestAnimationFrame(() => requestAnimationFrame(() => focusField(problem.path)));
 }
 

@@ -1,6 +1,6 @@
 // Incomplete entries, with links to their fields.
 
-import { chosen } from '../state/view';
+import { choose } from '../project/chosen';
 import { placeOf, unfinishedSettings } from '../project/leftOut';
 import { formOf, focusField } from './ProblemList';
 import { keepWaiting } from '../project/unfinished';
@@ -9,7 +9,7 @@ export function UnfinishedList() {
   const all = unfinishedSettings();
   if (all.length === 0) return null;
   const show = (path: string) => {
-    chosen.value = formOf(path);
+    choose(formOf(path));
     requestAnimationFrame(() => requestAnimationFrame(() => focusField(path)));
   };
   return (

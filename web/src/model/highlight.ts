@@ -3,7 +3,7 @@
 import { effect, untracked } from '@preact/signals';
 import { showOverlay, type Overlay } from '../scene/tool';
 import { model } from '../project/model';
-import { chosen } from '../state/view';
+import { chosen } from '../project/chosen';
 import { materialColour } from '../view/colours';
 
 export function followChosen(): () => void {

@@ -4,7 +4,7 @@ import { effect, signal, type ReadonlySignal } from '@preact/signals';
 import { askArrays, Refused } from '../api/client';
 import type { Point3 } from '../api/types';
 import { reportFailure } from '../state/messages';
-import { chosenRock } from '../state/view';
+import { chosenRock } from '../runs/chosenRock';
 import { blockRocks } from './blockRocks';
 import { comparedPaths, indexOfRock, shownPaths, type DrawnPaths } from './drawnPaths';
 import { comparedPassing, shownPassing } from './shownPassing';

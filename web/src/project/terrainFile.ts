@@ -2,7 +2,7 @@
 
 import { edit } from './document';
 import { notify, reportFailure } from '../state/messages';
-import { chosen, sidePanel } from '../state/view';
+import { openForm } from './chosen';
 import { fileFormats } from '../generated/schema';
 import { type FileKind } from '../settings/fileEndings';
 import { tableAt } from './place';
@@ -55,8 +55,7 @@ export function takeTerrain(uploaded: readonly string[]) {
   const taken = terrainAmong(uploaded.filter((name) => !isOfTerrain(name)));
   if (taken) {
     useTerrainFile(taken.name, taken.kind, taken.key);
-    chosen.value = ['terrain'];
-    sidePanel.value = 'model';
+    openForm(['terrain']);
   } else if (uploaded.length > 0)
     notify('note', `Uploaded: ${uploaded.join(', ')}. Forms for files now offer ${uploaded.length === 1 ? 'it' : 'them'}.`);
 }

@@ -1,7 +1,7 @@
 // Adds, copies and deletes materials, areas, seeders, barriers and collectors.
 
 import { edit, rowsOf, values } from './document';
-import { chosen } from '../state/view';
+import { choose, chosen } from './chosen';
 import { defaultOf, type Edit, type KeyOf, type Row, type TableName } from '../settings/names';
 import type { TomlTable } from '../toml/format';
 import { removal } from '../settings/consequences';
@@ -43,7 +43,7 @@ export function append(key: TableName, more: Row = {}, what = `add a ${key}`, co
 /// Adds an entry as one step and opens its form.
 export function add(key: TableName, more: Row = {}, what?: string) {
   const index = rowsOf(key).length;
-  if (append(key, more, what)) chosen.value = [key, index];
+  if (append(key, more, what)) choose([key, index]);
 }
 
 /// With a second material the ground needs a default material, unless materials are already assigned.
@@ -61,7 +61,7 @@ export function copy(key: TableName, index: number) {
 
 export function remove(key: TableName, index: number) {
   const isDone = edit(`delete ${nameOf(key, index)}`, removal(values.value, [key, index]));
-  if (isDone && chosen.value?.[0] === key) chosen.value = null;
+  if (isDone && chosen.value?.[0] === key) choose(null);
 }
 
 export interface Step {

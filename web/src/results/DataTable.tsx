@@ -3,7 +3,7 @@
 import type { ComponentChildren } from 'preact';
 import { decimalsOf, dividedText } from '../units/texts';
 import type { NumberText } from '../api/exact';
-import { allDigits } from '../state/view';
+import { allDigits } from './allDigits';
 import { displayOf } from '../state/displayUnits';
 import { asInFiles, displayOfColumn } from './columns';
 import { saveCsv } from '../figures/files';

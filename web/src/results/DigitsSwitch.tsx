@@ -1,10 +1,10 @@
-import type { Signal } from '@preact/signals';
+import { allDigits, showAllDigits } from './allDigits';
 
 /// Switches between rounded numbers and all digits of the files.
-export function DigitsSwitch({ all }: { all: Signal<boolean> }) {
+export function DigitsSwitch() {
   return (
     <label class="switch">
-      <input type="checkbox" checked={all.value} onChange={(event) => (all.value = event.currentTarget.checked)} />
+      <input type="checkbox" checked={allDigits.value} onChange={(event) => showAllDigits(event.currentTarget.checked)} />
       All digits
     </label>
   );

@@ -3,7 +3,7 @@
 import { fileAddress, results } from '../api/results';
 import type { Run, RunMap } from '../api/types';
 import { OverMap } from '../maps/OverMap';
-import { drapedMap, drapedOpacity } from '../state/view';
+import { drape, drapedMap, drapedOpacity, setOpacity } from '../maps/shownMap';
 import { numberText } from '../units/numbers';
 import { displayOf } from '../state/displayUnits';
 import { capital, mapGroups, type MapGroup } from './mapGroups';
@@ -29,7 +29,7 @@ function Group({ of: { title, unit, source, maps }, hasSources }: { of: MapGroup
           {maps.map(({ map, part }) => {
             const isShown = drapedMap.value === map.name;
             return (
-              <button key={map.name} class="button" aria-pressed={isShown} title={`${rangeOf(map)}; ${map.name}.tif`} onClick={() => (drapedMap.value = isShown ? null : map.name)}>
+              <button key={map.name} class="button" aria-pressed={isShown} title={`${rangeOf(map)}; ${map.name}.tif`} onClick={() => drape(isShown ? null : map.name)}>
                 {part}
               </button>
             );
@@ -73,7 +73,7 @@ export function Maps({ run }: { run: Run }) {
             max="1"
             step="0.05"
             value={drapedOpacity.value}
-            onInput={(event) => (drapedOpacity.value = Number(event.currentTarget.value))}
+            onInput={(event) => setOpacity(Number(event.currentTarget.value))}
           />
         </label>
       </div>

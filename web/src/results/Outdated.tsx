@@ -1,7 +1,7 @@
 import { isOutdated } from '../runs/outdated';
 import { problems } from '../project/model';
 import { compute } from '../runs/runs';
-import { sidePanel } from '../state/view';
+import { showPanel } from '../state/panels';
 
 /// A notice that the results are not those of the current project, with a button to compute again.
 export function Outdated() {
@@ -18,7 +18,7 @@ export function Outdated() {
       >
         Compute again
       </button>
-      <button class="button plain" onClick={() => (sidePanel.value = 'runs')}>
+      <button class="button plain" onClick={() => showPanel('runs')}>
         Runs
       </button>
     </p>

@@ -3,7 +3,7 @@
 import { useId } from 'preact/hooks';
 import type { Run, RunState } from '../api/types';
 import { hasResults, ownRuns, resume, shown, shownCalibration, writePartialResults } from '../runs/runs';
-import { resultsOpen, resultsShare, resultsTab, sidePanel, type ResultsTab } from '../state/view';
+import { openResults, resultsOpen, resultsShare, resultsTab, showPanel, showTab, type ResultsTab } from '../state/panels';
 import { dimension, tableAt } from '../project/place';
 import { CalibrationTab } from '../calibration/CalibrationTab';
 import { ObservedTab } from '../calibration/ObservedTab';
@@ -118,8 +118,8 @@ export function ResultsPanel() {
           tabs={tabs}
           now={now}
           choose={(name) => {
-            resultsTab.value = name;
-            resultsOpen.value = true;
+            showTab(name);
+            openResults();
           }}
         />
         <span class="results-run" title={name}>
@@ -129,7 +129,7 @@ export function ResultsPanel() {
           class="button plain"
           aria-expanded={isOpen}
           aria-controls={panel}
-          onClick={() => (resultsOpen.value = !isOpen)}
+          onClick={() => openResults(!isOpen)}
         >
           {isOpen ? 'Hide ▾' : 'Results ▴'}
         </button>
@@ -143,7 +143,7 @@ export function ResultsPanel() {
         ) : !run ? (
           <div class="empty">
             <p>No run is shown.</p>
-            <button class="button" style={{ justifySelf: 'center' }} onClick={() => (sidePanel.value = 'runs')}>
+            <button class="button" style={{ justifySelf: 'center' }} onClick={() => showPanel('runs')}>
               Choose a run
             </button>
           </div>

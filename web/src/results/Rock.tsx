@@ -2,7 +2,7 @@
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import { chosenRock } from '../state/view';
+import { chosenRock } from '../runs/chosenRock';
 import { useRemote } from './remote';
 import { RockChoice } from './RockChoice';
 import { RockEnergy } from './RockEnergy';

@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
-import { chosenRock } from '../state/view';
+import { chooseRock, chosenRock } from '../runs/chosenRock';
 
 /// The choice of a rock by its zero-based number.
 export function RockChoice({ run }: { run: Run }) {
@@ -9,7 +9,7 @@ export function RockChoice({ run }: { run: Run }) {
   const last = run.rocks - 1;
   const go = (to: number) => {
     setInvalid(null);
-    chosenRock.value = to;
+    chooseRock(to);
   };
   /// An invalid number is replaced by that of the shown rock.
   const take = (field: HTMLInputElement) => {
@@ -40,7 +40,7 @@ export function RockChoice({ run }: { run: Run }) {
         {rock === null ? 'First' : 'Next'}
       </button>
       {rock !== null && (
-        <button class="button plain" onClick={() => (chosenRock.value = null)}>
+        <button class="button plain" onClick={() => chooseRock(null)}>
           None
         </button>
       )}

@@ -1,7 +1,7 @@
-import { resultsShare } from '../state/view';
+import { resultsShare, setResultsShare } from '../state/panels';
 
 const [least, most, step] = [0.2, 0.75, 0.03];
-const set = (share: number) => (resultsShare.value = Math.min(Math.max(share, least), most));
+const set = (share: number) => setResultsShare(Math.min(Math.max(share, least), most));
 
 /// The upper edge of the results, moved by dragging or by arrow keys.
 export function Splitter() {

@@ -1,5 +1,4 @@
 import type { FigureTexts } from '../api/results';
-import { allDigits } from '../state/view';
 import { DataTable } from './DataTable';
 import { DigitsSwitch } from './DigitsSwitch';
 import { figureText, figuresOf, unitOfFigure } from './statisticsTable';
@@ -21,7 +20,7 @@ export function StatisticsTable({ caption, file, columns }: Props) {
       caption={caption}
       file={file}
       hasHeads
-      tools={<DigitsSwitch all={allDigits} />}
+      tools={<DigitsSwitch />}
       columns={[
         { key: 'figure', title: 'Figure', isText: true },
         ...columns.map(({ figures: _, ...column }) => column),

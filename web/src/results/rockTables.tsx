@@ -1,6 +1,5 @@
 import type { RockAnswer, Run } from '../api/types';
 import { hitColumns, pathColumns } from '../generated/columns';
-import { allDigits } from '../state/view';
 import { numberText } from '../units/numbers';
 import { DataTable, type Column } from './DataTable';
 import { displayOfColumn, type HitColumn, type PathColumn } from './columns';
@@ -60,7 +59,7 @@ export function PathTable({ run, rock, path }: Props) {
       caption={`Trajectory of rock ${rock}`}
       file={fileName(run.name, `rock ${rock} path`)}
       isSeries
-      tools={<DigitsSwitch all={allDigits} />}
+      tools={<DigitsSwitch />}
       columns={kept.map((k) => columnOf(path.columns[k]!, pathColumns))}
       rows={path.rows.map((row) => kept.map((k) => row[k]!))}
       rowClass={(k) => `state-${path.rows[k]![path.columns.indexOf('state')]}`}

@@ -4,7 +4,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { valueAt } from '../project/document';
 import { model, problems } from '../project/model';
 import { compute } from './runs';
-import { sidePanel } from '../state/view';
+import { showPanel } from '../state/panels';
 import { focusOnceMade } from '../ui/focus';
 import './runs.css';
 
@@ -18,7 +18,7 @@ function Options({ close }: { close: () => void }) {
     const [name, rocks, draw] = ['name', 'rocks', 'seed'].map((key) => String(form.get(key) ?? ''));
     const [rockCount, seedNumber] = [wholeNumber(rocks!), wholeNumber(draw!)];
     close();
-    sidePanel.value = 'runs';
+    showPanel('runs');
     void compute({
       ...(name!.trim() && { name: name!.trim() }),
       ...(rockCount !== undefined && { rocks: rockCount }),

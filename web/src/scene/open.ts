@@ -3,7 +3,8 @@
 import type { AnimatedView } from '../animation/film';
 import { toggleRelease } from '../askLine/sources';
 import { showHandles } from '../drag/handles';
-import { chosen, chosenRock, resultsTab } from '../state/view';
+import { choose, chosen } from '../project/chosen';
+import { chosenRock, showRock } from '../runs/chosenRock';
 import { LayerScene } from './layerScene';
 import { memoryOf, type SceneMemory } from './memory';
 import { ModelScene } from './modelScene';
@@ -37,9 +38,8 @@ export function openScene(host: HTMLElement): OpenScene {
   pointing.onClick = (event) => {
     const place = sources.placeAt(event.clientX, event.clientY);
     if (place !== null) return toggleRelease(place);
-    chosenRock.value = runs.rockAt(event.clientX, event.clientY);
-    if (chosenRock.value !== null) resultsTab.value = 'rock';
-    else chosen.value = pointing.thingAt(event) ?? chosen.value;
+    showRock(runs.rockAt(event.clientX, event.clientY));
+    if (chosenRock.value === null) choose(pointing.thingAt(event) ?? chosen.value);
   };
   const endHandles = showHandles();
   const endOffering = offerThumbnail(() => sceneThumbnail(scene));

@@ -8,7 +8,7 @@ import { comparedBlocks, shownBlocks, type DrawnBlocks } from '../paths/drawnBlo
 import { comparedPaths, indexOfRock, shownPaths, type DrawnPaths } from '../paths/drawnPaths';
 import { isWhole, time } from '../paths/playback';
 import { comparedPassing, shownPassing } from '../paths/shownPassing';
-import { chosenRock } from '../state/view';
+import { chosenRock } from '../runs/chosenRock';
 import { colourOf } from '../view/colours';
 import { cssColour, runColour, shade } from '../view/theme';
 import { BlockMesh } from './blockMesh';

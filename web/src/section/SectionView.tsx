@@ -4,7 +4,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { ToolHint } from '../scene/ToolHint';
 import { model } from '../project/model';
 import { Legends } from '../view/Legend';
-import { chosenRock, resultsTab } from '../state/view';
+import { showRock } from '../runs/chosenRock';
 import { offerSheet } from '../view/sheet';
 import { offerThumbnail } from '../view/thumbnail';
 import { frame } from './framed';
@@ -42,10 +42,9 @@ function rockOf(canvas: HTMLElement, event: MouseEvent): number | null {
 }
 
 /// A click on a block or a trajectory selects its rock; next to all trajectories it deselects.
-function chooseRock(canvas: HTMLElement, event: MouseEvent) {
+function selectRock(canvas: HTMLElement, event: MouseEvent) {
   if (!pathsToDraw.value) return;
-  chosenRock.value = rockOf(canvas, event);
-  if (chosenRock.value !== null) resultsTab.value = 'rock';
+  showRock(rockOf(canvas, event));
 }
 
 export function SectionView() {
@@ -55,7 +54,7 @@ export function SectionView() {
     const endDrawing = keepDrawn(host.current!, canvas.current!);
     const endOffering = offerThumbnail(sectionThumbnail);
     const endSheet = offerSheet(sectionPicture);
-    const endListening = listen(canvas.current!, (event) => chooseRock(canvas.current!, event), (event) => rockOf(canvas.current!, event));
+    const endListening = listen(canvas.current!, (event) => selectRock(canvas.current!, event), (event) => rockOf(canvas.current!, event));
     return () => {
       endOffering();
       endSheet();

@@ -2,7 +2,8 @@
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { model } from '../project/model';
-import { chosen, chosenRock } from '../state/view';
+import { chosen } from '../project/chosen';
+import { chosenRock } from '../runs/chosenRock';
 import { colouring } from '../paths/colouring';
 import { shownBlocks } from '../paths/drawnBlocks';
 import { comparedPaths, indexOfRock, shownPaths } from '../paths/drawnPaths';

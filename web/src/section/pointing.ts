@@ -6,7 +6,7 @@ import { openMenu } from '../drag/menu';
 import { thingAt } from '../drag/things';
 import type { Place } from '../scene/tool';
 import { finishTool, gripAt, tool } from '../scene/tool';
-import { chosen } from '../state/view';
+import { choose } from '../project/chosen';
 import type { Pixel } from '../geometry/nearness';
 import { moved, pixelOf, placeOf, zoomed } from './frame';
 import { fit, frame } from './framed';
@@ -56,7 +56,7 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: MouseEvent) =
   };
   const click = (event: MouseEvent) => {
     const thing = thingAt(view, at(event));
-    if (thing) chosen.value = thing;
+    if (thing) choose(thing);
     else onClick(event);
   };
   const endHandles = showHandles();

@@ -10,7 +10,7 @@ import type { Waiting } from '../settings/waitingRows';
 import { showOverlay, tool, useTool, type Overlay } from '../scene/tool';
 import { file } from '../project/document';
 import { build, model } from '../project/model';
-import { resultsOpen, resultsTab } from '../state/view';
+import { openResults, showTab } from '../state/panels';
 import { piecesOf } from './groundSection';
 
 /// Null: no section is requested. With fewer than two points it is not complete yet.
@@ -29,7 +29,7 @@ export const isDrawing = () => tool.value?.name === name;
 
 export function drawSection() {
   sectionLine.value ??= [];
-  resultsTab.value = 'section';
+  showTab('section');
   const { min, max } = model.peek()!.bounds;
   const extent = Math.max(max[0] - min[0], max[1] - min[1]);
   draw({
@@ -39,7 +39,7 @@ export function drawSection() {
     hint: 'Click along the line of the section.',
     done: (places) => {
       takeLine(places.map(([x, y]) => [rounded(x, extent), rounded(y, extent)]));
-      resultsOpen.value = true;
+      openResults();
     },
   });
 }

@@ -4,7 +4,7 @@ import { batch, computed, effect } from '@preact/signals';
 import { is2d } from '../project/place';
 import { edit, endStep, syntaxError, values } from '../project/document';
 import { ofProject } from '../project/ofProject';
-import { isAsking } from '../state/view';
+import { isAsking, openCard } from '../askLine/asked';
 import { slopeEdits } from './edits';
 import { Impossible, slopeIn, type Slope } from './slope';
 import { fallsLeft, shaped, stationAt, usualNumbers, type Numbers, type Shaped, type ToolKind } from './tools';
@@ -19,7 +19,7 @@ const askedStretch = ofProject<[number, number] | null>(null);
 
 export function openPane(pane: Pane | null) {
   batch(() => {
-    if (pane !== null) isAsking.value = false;
+    if (pane !== null) openCard(false);
     slopePane.value = pane;
   });
 }

@@ -9,7 +9,7 @@ import { isTableOrLines, takeStored } from '../layers/dropped';
 import { localDrafts } from '../project/localDrafts';
 import { notify, reportFailure } from '../state/messages';
 import { start } from '../project/opening';
-import { chosen, sidePanel } from '../state/view';
+import { openForm } from '../project/chosen';
 import { allWritten } from '../state/writes';
 import { fileNameOf, firstText, type Beginning } from './newProject';
 
@@ -26,8 +26,7 @@ export async function begin(name: string, beginning: Beginning) {
   const projectName = name.trim() || (beginning.kind === 'file' ? beginning.name.replace(/\.[^.]+$/, '') : 'New slope');
   const asked = beginning.kind === 'file' && isTableOrLines(beginning.name) ? beginning.name : null;
   start(fileNameOf(projectName, await takenNames()), firstText(projectName, asked === null ? beginning : { kind: 'space' }));
-  sidePanel.value = 'model';
-  chosen.value = beginning.kind === 'file' && asked === null ? null : ['terrain'];
+  openForm(beginning.kind === 'file' && asked === null ? null : ['terrain']);
   if (asked !== null) await takeStored([asked]);
 }
 

@@ -8,7 +8,7 @@ import { about } from '../state/about';
 import { reportFailure } from '../state/messages';
 import { open } from '../project/opening';
 import { compute, ownRuns } from '../runs/runs';
-import { verifying } from '../state/view';
+import { showVerification, verifying } from './verifying';
 import { beginWith, NewProject } from './NewProject';
 import { CardPicture, DeletedProjects, ProjectList } from './ProjectList';
 import { examplePicture, examples, loadProjects } from './projects';
@@ -33,7 +33,7 @@ async function show(id: string) {
 export function StartPage() {
   useEffect(() => void load().catch(reportFailure), []);
   useEffect(() => listenToDrops((list) => beginWith(list)), []);
-  if (verifying.value) return <VerificationPage close={() => (verifying.value = false)} />;
+  if (verifying.value) return <VerificationPage close={() => showVerification(false)} />;
   const openExample = (id: string) => void show(id).catch(reportFailure);
   return (
     <main class="start">
@@ -62,7 +62,7 @@ export function StartPage() {
       <footer class="faint">
         <p>
           Does Talus reproduce published results?{' '}
-          <button class="button" onClick={() => (verifying.value = true)}>
+          <button class="button" onClick={() => showVerification(true)}>
             Run the verification cases
           </button>
         </p>

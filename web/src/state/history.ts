@@ -10,7 +10,12 @@ import { file, fileStem, rowsOf, values } from '../project/document';
 import { reportFailure } from './messages';
 import { close, open } from '../project/opening';
 import { comparedId, shownId, showRuns } from '../runs/runs';
-import { askedText, chosen, chosenRock, drapedMap, isAsking, resultsTab, sidePanel, verifying } from './view';
+import { resultsTab, showPanel, showTab, sidePanel } from './panels';
+import { askedText, isAsking, openAsked } from '../askLine/asked';
+import { drape, drapedMap } from '../maps/shownMap';
+import { choose, chosen } from '../project/chosen';
+import { chooseRock, chosenRock } from '../runs/chosenRock';
+import { showVerification, verifying } from '../start/verifying';
 import { allWritten } from './writes';
 
 const pause = 300; // ms, from the last movement of the view to its address
@@ -44,15 +49,14 @@ async function goTo(place: Place, moves: boolean) {
     if (place.file !== null) await open(place.file);
   }
   batch(() => {
-    verifying.value = place.verifying;
-    sidePanel.value = place.sidePanel;
-    resultsTab.value = place.resultsTab;
+    showVerification(place.verifying);
+    showPanel(place.sidePanel);
+    showTab(place.resultsTab);
     if (place.file === null) return;
-    chosen.value = exists(place.chosen) ? place.chosen : null;
-    chosenRock.value = place.rock;
-    drapedMap.value = place.map;
-    isAsking.value = place.asked !== null;
-    if (place.asked) askedText.value = place.asked;
+    choose(exists(place.chosen) ? place.chosen : null);
+    chooseRock(place.rock);
+    drape(place.map);
+    openAsked(place.asked);
     showRuns(place.run, place.compared);
     if (!isOpen || moves) wantedCamera.value = place.camera;
   });

@@ -3,15 +3,13 @@ import { close } from '../project/opening';
 import { save, savingAs } from '../project/saving';
 import { isBuilding } from '../project/model';
 import { isConnected, running, stop } from '../runs/runs';
-import { displayOf, unitSystem } from '../state/displayUnits';
-import { theme, type Theme } from '../state/view';
+import { displayOf, switchUnits, unitSystem } from '../state/displayUnits';
+import { nextTheme, theme } from '../view/theme';
 import { ComputeMenu } from '../runs/ComputeMenu';
 import { RunEnds } from '../runs/RunEnds';
 import { clockText } from '../units/texts';
 import { counted } from '../units/numbers';
 import { afterTyping } from '../project/typing';
-
-const themes: Theme[] = ['system', 'light', 'dark'];
 
 function Progress() {
   const run = running.value;
@@ -83,7 +81,7 @@ export function TopBar() {
         class="button icon"
         title={`Units of results: ${unitSystem.value}`}
         aria-label={`Units of results: ${unitSystem.value}`}
-        onClick={() => (unitSystem.value = unitSystem.value === 'metric' ? 'US customary' : 'metric')}
+        onClick={switchUnits}
       >
         {displayOf('m').unit}
       </button>
@@ -91,7 +89,7 @@ export function TopBar() {
         class="button icon"
         title={`Theme: ${theme.value}`}
         aria-label={`Theme: ${theme.value}`}
-        onClick={() => (theme.value = themes[(themes.indexOf(theme.value) + 1) % themes.length]!)}
+        onClick={nextTheme}
       >
         ◐
       </button>

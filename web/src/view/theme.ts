@@ -1,7 +1,14 @@
 // The light or dark theme, and its colours for canvases.
 
-import { effect, signal } from '@preact/signals';
-import { theme } from '../state/view';
+import { effect, signal, type ReadonlySignal } from '@preact/signals';
+import { kept } from '../state/kept';
+
+export type Theme = 'system' | 'light' | 'dark';
+const themes: Theme[] = ['system', 'light', 'dark'];
+
+const chosen = kept<Theme>('theme', 'system');
+export const theme: ReadonlySignal<Theme> = chosen;
+export const nextTheme = () => void (chosen.value = themes[(themes.indexOf(chosen.peek()) + 1) % themes.length]!);
 
 const media = matchMedia('(prefers-color-scheme: dark)');
 const systemIsDark = signal(media.matches);

@@ -3,7 +3,7 @@
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
 import { valueAt } from '../../project/document';
-import { helpOpen } from '../../state/view';
+import { explainsAll } from './explaining';
 import { problemsOf, sentenceOf, toneOf } from '../../project/awaited';
 import { pathText, put, rockModel } from '../../project/place';
 import { wordText } from '../../settings/words';
@@ -23,7 +23,7 @@ export function Field({ field, path, before }: FieldProps & { before?: Component
   const isEmpty = value === undefined || (Array.isArray(value) && value.length === 0);
   const isWanted = isEmpty && problems.length > 0;
   const id = idOf(path);
-  const isHelped = open || helpOpen.value;
+  const isHelped = open || explainsAll.value;
   const isIdle = field.onlyFor !== '' && field.onlyFor !== rockModel.value;
   const label = (
     <>
