@@ -1,7 +1,7 @@
 import { render } from 'preact';
-import { App } from './app';
-import './ui/theme.css';
-import './ui/workbench.css';
+import { App } from './page/App';
+import './page/theme.css';
+import './page/workbench.css';
 import './view/theme';
 
 render(<App />, document.getElementById('page')!);

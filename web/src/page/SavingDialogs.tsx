@@ -2,7 +2,7 @@ import { useState } from 'preact/hooks';
 import { file } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { conflict, overwrite, reload, saveAs, savingAs } from '../project/saving';
-import { Dialog } from './Dialog';
+import { Dialog } from '../ui/Dialog';
 
 /// The dialogs of saving.
 export function SavingDialogs() {

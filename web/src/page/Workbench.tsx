@@ -1,31 +1,31 @@
 // The layout of the workbench: top bar, side panel with model, runs or text, the view, and results below it.
 
 import { useEffect } from 'preact/hooks';
-import { unitSystem } from './state/displayUnits';
-import { isStale } from './project/model';
-import { showPanel, sidePanel } from './state/panels';
-import { isAsking } from './askLine/asked';
-import { AskCard } from './askLine/AskCard';
-import { takeLineFiles } from './askLine/lineFiles';
-import { ModelPanel } from './model/ModelPanel';
-import { dimension } from './project/place';
-import { listenToDrops } from './project/terrainFile';
-import { SlopeCard } from './slopeTools/SlopeCard';
-import { slopePane } from './slopeTools/state';
-import { TimeBar } from './paths/TimeBar';
-import { ResultsPanel } from './results/ResultsPanel';
-import { RunsPanel } from './runs/RunsPanel';
-import { SceneView } from './scene/SceneView';
-import { SectionView } from './section/SectionView';
-import { TextPanel } from './model/TextPanel';
-import { CalibratePanel } from './calibration/CalibratePanel';
-import { takeObserved } from './calibration/observations';
-import { DropDialog } from './layers/DropDialog';
-import { hasRaster, takeDropped } from './layers/dropped';
-import { ContextMenu } from './drag/ContextMenu';
-import { TopBar } from './ui/TopBar';
-import { Tabs } from './ui/Tabs';
-import { SavingDialogs } from './ui/SavingDialogs';
+import { unitSystem } from '../state/displayUnits';
+import { isStale } from '../project/model';
+import { showPanel, sidePanel } from '../state/panels';
+import { isAsking } from '../askLine/asked';
+import { AskCard } from '../askLine/AskCard';
+import { takeLineFiles } from '../askLine/lineFiles';
+import { ModelPanel } from '../model/ModelPanel';
+import { dimension } from '../project/place';
+import { listenToDrops } from '../project/terrainFile';
+import { SlopeCard } from '../slopeTools/SlopeCard';
+import { slopePane } from '../slopeTools/state';
+import { TimeBar } from '../paths/TimeBar';
+import { ResultsPanel } from './ResultsPanel';
+import { RunsPanel } from '../runs/RunsPanel';
+import { SceneView } from '../scene/SceneView';
+import { SectionView } from '../section/SectionView';
+import { TextPanel } from '../model/TextPanel';
+import { CalibratePanel } from '../calibration/CalibratePanel';
+import { takeObserved } from '../calibration/observations';
+import { DropDialog } from '../layers/DropDialog';
+import { hasRaster, takeDropped } from '../layers/dropped';
+import { ContextMenu } from '../drag/ContextMenu';
+import { TopBar } from './TopBar';
+import { Tabs } from '../ui/Tabs';
+import { SavingDialogs } from './SavingDialogs';
 
 export function Workbench() {
   useEffect(

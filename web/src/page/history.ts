@@ -7,16 +7,16 @@ import { afterTyping } from '../project/typing';
 import { camera, wantedCamera } from '../view/camera';
 import { addressOf, isStep, placeOf, type Place } from './address';
 import { file, fileStem, rowsOf, values } from '../project/document';
-import { reportFailure } from './messages';
+import { reportFailure } from '../state/messages';
 import { close, open } from '../project/opening';
 import { comparedId, shownId, showRuns } from '../runs/runs';
-import { resultsTab, showPanel, showTab, sidePanel } from './panels';
+import { resultsTab, showPanel, showTab, sidePanel } from '../state/panels';
 import { askedText, isAsking, openAsked } from '../askLine/asked';
 import { drape, drapedMap } from '../maps/shownMap';
 import { choose, chosen } from '../project/chosen';
 import { chooseRock, chosenRock } from '../runs/chosenRock';
 import { showVerification, verifying } from '../start/verifying';
-import { allWritten } from './writes';
+import { allWritten } from '../state/writes';
 
 const pause = 300; // ms, from the last movement of the view to its address
 

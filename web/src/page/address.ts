@@ -1,7 +1,7 @@
 // Places in the workbench as text after the # of the page's address: "#/tutorial-1/slope.toml?panel=runs&tab=rock&rock=12".
 
 import { pathOf, type Path } from '../settings/names';
-import { resultsTabs, sidePanels, type ResultsTab, type SidePanel } from './panels';
+import { resultsTabs, sidePanels, type ResultsTab, type SidePanel } from '../state/panels';
 
 export interface Place {
   /// The open project; null: the start page.

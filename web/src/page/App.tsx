@@ -1,19 +1,19 @@
 // The whole page: the start page, or the workbench of the project that is open.
 
 import { useEffect } from 'preact/hooks';
-import { api } from './api/client';
-import { about } from './state/about';
-import { file } from './project/document';
-import { goToAddress, listenToHistory } from './state/history';
-import { reportFailure } from './state/messages';
-import { lastOpen, open } from './project/opening';
-import { follow } from './runs/runs';
-import { ReplaceDialog } from './model/ReplaceDialog';
-import { StartPage } from './start/StartPage';
-import { Messages } from './ui/Messages';
+import { api } from '../api/client';
+import { about } from '../state/about';
+import { file } from '../project/document';
+import { goToAddress, listenToHistory } from './history';
+import { reportFailure } from '../state/messages';
+import { lastOpen, open } from '../project/opening';
+import { follow } from '../runs/runs';
+import { ReplaceDialog } from '../model/ReplaceDialog';
+import { StartPage } from '../start/StartPage';
+import { Messages } from './Messages';
 import { Workbench } from './Workbench';
-import { listenToKeys } from './ui/keys';
-import { listenToTyping } from './project/typing';
+import { listenToKeys } from './keys';
+import { listenToTyping } from '../project/typing';
 
 async function begin() {
   about.value = await api.about();

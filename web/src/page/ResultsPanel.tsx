@@ -12,17 +12,17 @@ import { UncertaintyTab } from '../calibration/UncertaintyTab';
 import { sectionLine } from '../sectionLine/sectionLine';
 import { SectionTab } from '../sectionLine/SectionTab';
 import { Tabs } from '../ui/Tabs';
-import { Barriers } from './Barriers';
-import { Compare } from './Compare';
-import { Distributions } from './Distributions';
-import { EnvelopesTab } from './EnvelopesTab';
-import { Maps } from './Maps';
-import { Outdated } from './Outdated';
-import { Overview } from './Overview';
-import { Rock } from './Rock';
-import { SoFarTab } from './SoFarTab';
-import { Splitter } from './Splitter';
-import './results.css';
+import { Barriers } from '../results/Barriers';
+import { Compare } from '../results/Compare';
+import { Distributions } from '../results/Distributions';
+import { EnvelopesTab } from '../results/EnvelopesTab';
+import { Maps } from '../results/Maps';
+import { Outdated } from '../results/Outdated';
+import { Overview } from '../results/Overview';
+import { Rock } from '../results/Rock';
+import { SoFarTab } from '../results/SoFarTab';
+import { Splitter } from '../results/Splitter';
+import '../results/results.css';
 
 const pages: Record<ResultsTab, { title: string; page: (props: { run: Run }) => preact.JSX.Element }> = {
   overview: { title: 'Overview', page: Overview },
