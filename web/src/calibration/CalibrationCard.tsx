@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
 import { RunStateText } from '../runs/RunStateText';
-import { chosenCalibration, remove, resume, shownCalibration, stop } from '../runs/runs';
+import { showCalibration, remove, resume, shownCalibration, stop } from '../runs/runs';
 import { openResults, resultsTab, showTab } from '../state/panels';
 import { Dialog } from '../ui/Dialog';
 import { clockText, momentText } from '../units/texts';
@@ -38,7 +38,7 @@ export function CalibrationCard({ run }: { run: Run }) {
             class="button"
             aria-pressed={isShown}
             onClick={() => {
-              chosenCalibration.value = run.id;
+              showCalibration(run.id);
               showTab('calibration');
               openResults();
             }}

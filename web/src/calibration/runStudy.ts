@@ -7,7 +7,7 @@ import { files, loadFiles, relativeTo } from '../project/files';
 import { file, fileStem, isChanged, opening } from '../project/document';
 import { reportFailure, resolve } from '../state/messages';
 import { ofProject } from '../project/ofProject';
-import { chosenCalibration, takeAnswer } from '../runs/runs';
+import { showCalibration, takeAnswer } from '../runs/runs';
 import { save } from '../project/saving';
 import { valuesOf } from '../toml/values';
 import { changeForm, form, setForm } from './observations';
@@ -36,7 +36,7 @@ export async function calibrate() {
     resolve('calibrate');
     studyProblems.value = [];
     takeAnswer(run);
-    chosenCalibration.value = run.id;
+    showCalibration(run.id);
     changeForm({ written: name });
     void loadFiles();
   } catch (error) {

@@ -8,7 +8,7 @@ import { boxes, boxRows } from '../figures/boxes';
 import type { Room } from '../figures/plot';
 import { RunDifferences } from '../runs/Differences';
 import { filter } from '../runs/filter';
-import { compared, comparedId, hasResults, ownRuns } from '../runs/runs';
+import { compared, compareWith, hasResults, ownRuns } from '../runs/runs';
 import { Chart } from './Chart';
 import { ColumnChoice, endpointChoices, hitChoices } from './ColumnChoice';
 import { displayOfColumn, savingOf, titleOf, withUnit } from './columns';
@@ -166,7 +166,7 @@ export function Compare({ run }: { run: Run }) {
   const choice = (
     <label class="choice">
       Compare with
-      <select value={other?.id ?? ''} onChange={(event) => (comparedId.value = event.currentTarget.value || null)}>
+      <select value={other?.id ?? ''} onChange={(event) => compareWith(event.currentTarget.value || null)}>
         <option value="">none</option>
         {others.map((one) => (
           <option key={one.id} value={one.id}>

@@ -1,6 +1,6 @@
 import { useId, useState } from 'preact/hooks';
 import type { Run } from '../api/types';
-import { comparedId, hasResults, remove, resume, shown, shownId, stop } from './runs';
+import { comparedId, compareWith, hasResults, remove, resume, show, shown, shownId, stop } from './runs';
 import { Dialog } from '../ui/Dialog';
 import { clockText, momentText } from '../units/texts';
 import { counted, numberText } from '../units/numbers';
@@ -92,14 +92,14 @@ export function RunCard({ run, isRecent }: { run: Run; isRecent: boolean }) {
           class="button"
           aria-pressed={isShown}
           onClick={() => {
-            shownId.value = isShown ? null : run.id;
-            if (isCompared) comparedId.value = null;
+            show(isShown ? null : run.id);
+            if (isCompared) compareWith(null);
           }}
         >
           Show
         </button>
         {hasResults(run) && !isShown && shown.value && (
-          <button class="button" aria-pressed={isCompared} onClick={() => (comparedId.value = isCompared ? null : run.id)}>
+          <button class="button" aria-pressed={isCompared} onClick={() => compareWith(isCompared ? null : run.id)}>
             Compare
           </button>
         )}

@@ -1,6 +1,6 @@
 // The runs and calibrations of all projects, as reported by the server.
 
-import { computed, effect, signal } from '@preact/signals';
+import { computed, effect, signal, type ReadonlySignal } from '@preact/signals';
 import { api } from '../api/client';
 import { leftOut } from '../project/leftOut';
 import type { Run } from '../api/types';
@@ -14,11 +14,14 @@ import { subscribe } from '../state/news';
 const all = signal<Run[]>([]);
 export const runs = computed(() => all.value.filter(({ kind }) => kind === 'run'));
 const calibrations = computed(() => all.value.filter(({ kind }) => kind === 'calibration'));
-/// The chosen calibration; null: the newest with results.
-export const chosenCalibration = signal<string | null>(null);
+const chosenCalibration = signal<string | null>(null); // null: the newest with results
+export const showCalibration = (id: string) => void (chosenCalibration.value = id);
+const [shownRun, comparedRun] = [signal<string | null>(null), signal<string | null>(null)];
 /// The shown run, and the one compared with it.
-export const shownId = signal<string | null>(null);
-export const comparedId = signal<string | null>(null);
+export const shownId: ReadonlySignal<string | null> = shownRun;
+export const comparedId: ReadonlySignal<string | null> = comparedRun;
+export const show = (id: string | null) => void (shownRun.value = id);
+export const compareWith = (id: string | null) => void (comparedRun.value = id);
 /// Runs started on this page that were not played yet.
 export const startedHere = new Set<string>();
 export const isConnected = signal(true);
@@ -26,8 +29,8 @@ export const isConnected = signal(true);
 export const areKnown = signal(false);
 
 const find = (id: string | null) => runs.value.find((run) => run.id === id) ?? null;
-export const shown = computed(() => find(shownId.value));
-export const compared = computed(() => find(comparedId.value));
+export const shown = computed(() => find(shownRun.value));
+export const compared = computed(() => find(comparedRun.value));
 export const running = computed(() => runs.value.find((run) => run.state === 'running') ?? null);
 /// The runs of the open project, newest first.
 export const ownRuns = computed(() => runs.value.filter((run) => run.file === file.value));
@@ -51,20 +54,20 @@ const asked = ofProject<{ run: string | null; compared: string | null } | null>(
 effect(() => {
   const name = file.value;
   if (name === null || !areKnown.value) {
-    if (name === null) [pickedFor, shownId.value, comparedId.value] = [null, null, null];
+    if (name === null) [pickedFor, shownRun.value, comparedRun.value] = [null, null, null];
     return;
   }
   const wanted = asked.value;
   const own = (id: string | null) => ownRuns.peek().find((run) => run.id === id)?.id ?? null;
   if (pickedFor !== name) {
     pickedFor = name;
-    shownId.value = ownRuns.peek().find(hasResults)?.id ?? null;
-    comparedId.value = null;
+    shownRun.value = ownRuns.peek().find(hasResults)?.id ?? null;
+    comparedRun.value = null;
   }
   if (wanted === null) return;
   asked.value = null;
-  shownId.value = own(wanted.run) ?? shownId.peek();
-  comparedId.value = own(wanted.compared);
+  shownRun.value = own(wanted.run) ?? shownRun.peek();
+  comparedRun.value = own(wanted.compared);
 });
 /// Shows runs of the open project, once the runs are known. Without a run, or if it was removed, the shown one stays.
 export const showRuns = (run: string | null, compared: string | null) => (asked.value = { run, compared });
@@ -90,7 +93,7 @@ export async function compute(more: { name?: string; rocks?: number; seed?: numb
     resolve('compute');
     startedHere.add(run.id);
     takeAnswer(run);
-    shownId.value = run.id;
+    shownRun.value = run.id;
     void rebuild();
     if (leftOut()) notify('note', `Computed${leftOut()}`);
   } catch (error) {
@@ -111,8 +114,8 @@ export const remove = (id: string) => attempt(`run ${id}`, () => api.removeRun(i
 
 function forget(id: string) {
   all.value = all.value.filter((run) => run.id !== id);
-  if (shownId.value === id) shownId.value = null;
-  if (comparedId.value === id) comparedId.value = null;
+  if (shownRun.value === id) shownRun.value = null;
+  if (comparedRun.value === id) comparedRun.value = null;
 }
 
 /// Loads the current list of runs.
