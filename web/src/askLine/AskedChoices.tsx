@@ -3,7 +3,7 @@
 import { useRef } from 'preact/hooks';
 import { dimension } from '../project/place';
 import { chosenFiles } from '../project/files';
-import { TypedInput } from '../model/form/TypedInput';
+import { TypedInput } from '../ui/TypedInput';
 import { ofProject } from '../project/ofProject';
 import { reportFailure } from '../state/messages';
 import { model } from '../project/model';

@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import type { Point2 } from '../api/types';
-import { EditTable } from '../model/form/EditTable';
+import { EditTable } from '../ui/EditTable';
 import { dimension } from '../project/place';
 import { cellsOf } from '../settings/rows';
 import type { Waiting } from '../settings/waitingRows';

@@ -5,7 +5,7 @@ import { whatIfs, type Variation, type WhatIfAnswer, type WhatIfFigure, type Wha
 import type { Room } from '../figures/plot';
 import { tornado, type TornadoBar } from '../figures/tornado';
 import { Chart } from '../results/Chart';
-import { useRemote } from '../results/remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from '../results/save';
 import { unitSystem } from '../state/displayUnits';
 import { shown } from '../runs/runs';

@@ -1,6 +1,6 @@
 // The Calibrate panel: observations, parameters, the study, and the calibrations of the project.
 
-import { TypedInput } from '../model/form/TypedInput';
+import { TypedInput } from '../ui/TypedInput';
 import { ownCalibrations } from '../runs/runs';
 import { CalibrationCard } from './CalibrationCard';
 import { ObservationList } from './ObservationList';
@@ -9,7 +9,7 @@ import { ParameterList } from './ParameterList';
 import { OtherProblems, ProblemsAt } from './ProblemsAt';
 import { calibrate, isSending, openStudy, studiesBeside } from './runStudy';
 import { studyEnding, studyNumbers, type StudyNumber } from './study';
-import '../model/model.css';
+import '../ui/forms.css';
 import '../runs/runs.css';
 import './calibration.css';
 

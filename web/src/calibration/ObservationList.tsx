@@ -2,7 +2,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import { chosenFiles, files, fittingFiles, loadFiles, relativeTo } from '../project/files';
-import { TypedInput } from '../model/form/TypedInput';
+import { TypedInput } from '../ui/TypedInput';
 import { rowsOf, file } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { counted } from '../units/numbers';

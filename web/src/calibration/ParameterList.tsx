@@ -2,7 +2,7 @@
 
 import { useEffect } from 'preact/hooks';
 import { library, loadLibrary } from '../project/library';
-import { TypedInput } from '../model/form/TypedInput';
+import { TypedInput } from '../ui/TypedInput';
 import { values } from '../project/document';
 import { inlineText } from '../toml/format';
 import { changeForm, form } from './observations';

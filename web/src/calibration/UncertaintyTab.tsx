@@ -7,9 +7,9 @@ import type { Room } from '../figures/plot';
 import { tornado } from '../figures/tornado';
 import { Chart } from '../results/Chart';
 import { DataTable } from '../results/DataTable';
-import { useRemote } from '../results/remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from '../results/save';
-import { Waiting } from '../results/Waiting';
+import { Waiting } from '../ui/Waiting';
 import './calibration.css';
 
 const titleOf = ({ text, line }: FigureUncertainty) =>

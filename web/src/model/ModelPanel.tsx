@@ -23,7 +23,7 @@ import { ProblemList } from './ProblemList';
 import { UnfinishedList } from './UnfinishedList';
 import { nameOf } from '../project/place';
 import { copy, remove } from '../project/things';
-import './model.css';
+import '../ui/forms.css';
 
 export function ModelPanel() {
   useEffect(followChosen, []);

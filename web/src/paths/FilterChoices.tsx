@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { everyRock, filter, isFiltering, type RockFilter } from '../runs/filter';
 import { counted } from '../units/numbers';
-import { Popover } from '../view/Popover';
+import { Popover } from '../ui/Popover';
 import { shownPaths } from './drawnPaths';
 import { leftByFilter } from './shownPassing';
 

@@ -3,7 +3,7 @@
 import { OverMap } from '../maps/OverMap';
 import { shownMap } from '../maps/shownMap';
 import { layers, pathColour, type PathColour } from '../view/settings';
-import { Popover } from '../view/Popover';
+import { Popover } from '../ui/Popover';
 import { counted } from '../units/numbers';
 import { pathColours } from './colouring';
 import { comparedPaths, shownPaths } from './drawnPaths';

@@ -13,10 +13,10 @@ import { DesignTable } from './DesignTable';
 import { DistributionFigures } from './DistributionFigures';
 import { shownColour, type Layer } from './layers';
 import { FilterNote } from './FilterNote';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from './save';
 import { StatisticsTable } from './StatisticsTable';
-import { Waiting } from './Waiting';
+import { Waiting } from '../ui/Waiting';
 
 /// The population of the statistics: hits only.
 function populationOf({ passed_above }: BarrierAnswer, hits: number): string {

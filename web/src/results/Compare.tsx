@@ -16,11 +16,11 @@ import { BarrierCounts } from './BarrierCounts';
 import { DistributionFigures } from './DistributionFigures';
 import { boxesOf, firstColour, quantityOf, secondColour, type Layer } from './layers';
 import { FilterNote } from './FilterNote';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from './save';
 import { SampleNote } from './SampleNote';
 import { StatisticsTable } from './StatisticsTable';
-import { Waiting } from './Waiting';
+import { Waiting } from '../ui/Waiting';
 
 /// A unique name: runs of a project often have the same name, and may even start in the same second.
 function nameOf(run: Run, other: Run): string {

@@ -3,7 +3,7 @@
 import { results, type AppliedFactor, type DesignPair, type PairKit } from '../api/results';
 import type { Run } from '../api/types';
 import { DataTable } from './DataTable';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from './save';
 
 const kitText = ({ kit, height_m, energy_J }: PairKit) =>

@@ -11,11 +11,11 @@ import { DistributionFigures } from './DistributionFigures';
 import { shownColour, type Layer } from './layers';
 import { FilterNote } from './FilterNote';
 import { GroupBoxes } from './GroupBoxes';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from './save';
 import { SampleNote } from './SampleNote';
 import { StatisticsTable } from './StatisticsTable';
-import { Waiting } from './Waiting';
+import { Waiting } from '../ui/Waiting';
 
 export function Distributions({ run }: { run: Run }) {
   const [column, choose] = useState('runout_xy_m');

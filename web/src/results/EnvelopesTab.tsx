@@ -9,9 +9,9 @@ import { Chart } from './Chart';
 import { displayOf } from '../state/displayUnits';
 import { envelopesOf, quantitiesOf } from './envelopes';
 import { shownColour } from './layers';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from './save';
-import { Waiting } from './Waiting';
+import { Waiting } from '../ui/Waiting';
 
 /// The file's numbers are divided by `per` of the quantity for its unit, and further for the unit in which it is shown.
 function inDisplayedUnit(quantity: EnvelopeQuantity): EnvelopeQuantity {

@@ -9,7 +9,7 @@ import { filter, type RockFilter } from '../runs/filter';
 import { Chart } from './Chart';
 import { savingOf, titleOf } from './columns';
 import { boxesOf, quantityOf, shownColour, type Layer } from './layers';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from './save';
 
 const groupings = {

@@ -7,8 +7,8 @@ import { drape, drapedMap, drapedOpacity, setOpacity } from '../maps/shownMap';
 import { numberText } from '../units/numbers';
 import { displayOf } from '../state/displayUnits';
 import { capital, mapGroups, type MapGroup } from './mapGroups';
-import { useRemote } from './remote';
-import { Waiting } from './Waiting';
+import { useRemote } from '../ui/remote';
+import { Waiting } from '../ui/Waiting';
 
 const rangeOf = ({ least, most, unit }: RunMap) => {
   const { unit: shown, per } = displayOf(unit);

@@ -9,10 +9,10 @@ import { counted, numberText } from '../units/numbers';
 import { endpointColumnOf, titleOf, unitOf } from './columns';
 import { EndReasons } from './EndReasons';
 import { FilterNote } from './FilterNote';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { fileName } from './save';
 import { StatisticsTable } from './StatisticsTable';
-import { Waiting } from './Waiting';
+import { Waiting } from '../ui/Waiting';
 
 const order = ['runout_xy_m', 'runout_total_m', 'max_ke_J', 'max_bounce_m', 'time_s'];
 

@@ -3,11 +3,11 @@
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { chosenRock } from '../runs/chosenRock';
-import { useRemote } from './remote';
+import { useRemote } from '../ui/remote';
 import { RockChoice } from './RockChoice';
 import { RockEnergy } from './RockEnergy';
 import { HitsTable, PathTable, RockFacts } from './rockTables';
-import { Waiting } from './Waiting';
+import { Waiting } from '../ui/Waiting';
 
 export function Rock({ run }: { run: Run }) {
   const rock = chosenRock.value;

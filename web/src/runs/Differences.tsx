@@ -3,8 +3,8 @@
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { jsonText } from '../toml/json';
-import { useRemote } from '../results/remote';
-import { Waiting } from '../results/Waiting';
+import { useRemote } from '../ui/remote';
+import { Waiting } from '../ui/Waiting';
 
 interface Row {
   key: string;

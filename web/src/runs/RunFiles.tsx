@@ -1,7 +1,7 @@
 import { fileAddress, results } from '../api/results';
 import type { Run } from '../api/types';
-import { useRemote } from '../results/remote';
-import { Waiting } from '../results/Waiting';
+import { useRemote } from '../ui/remote';
+import { Waiting } from '../ui/Waiting';
 import { bytesText } from '../units/texts';
 
 /// Links to the files of a run.

@@ -1,6 +1,6 @@
 import { fileAddress, results } from '../api/results';
 import type { Run } from '../api/types';
-import { useRemote } from '../results/remote';
+import { useRemote } from '../ui/remote';
 
 /// A link to the report of a run, if it has one.
 export function RunReport({ run }: { run: Run }) {

@@ -2,7 +2,7 @@
 
 import { results } from '../api/results';
 import type { Run } from '../api/types';
-import { useRemote } from '../results/remote';
+import { useRemote } from '../ui/remote';
 import { file, text, values } from '../project/document';
 import { differencesOf, type ValueDifference } from '../toml/differences';
 import { valuesOf } from '../toml/values';

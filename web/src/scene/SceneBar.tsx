@@ -8,7 +8,7 @@ import { PathChoices } from '../paths/PathChoices';
 import { SectionButton } from '../sectionLine/SectionButton';
 import { DistanceButton } from '../view/DistanceButton';
 import { LayerChoices } from '../view/LayerChoices';
-import { Popover } from '../view/Popover';
+import { Popover } from '../ui/Popover';
 import { saveSheet } from '../view/sheet';
 import { ViewBar } from '../view/ViewBar';
 import { namedViews, type NamedView } from './namedViews';

@@ -3,7 +3,7 @@
 import { useCallback, useState } from 'preact/hooks';
 import type { GroundSection, Point2 } from '../api/types';
 import { cellsOf } from '../settings/rows';
-import { EditTable } from '../model/form/EditTable';
+import { EditTable } from '../ui/EditTable';
 import { extentOfProfile, profile } from '../figures/profile';
 import type { Room } from '../figures/plot';
 import { shownPaths } from '../paths/drawnPaths';

@@ -2,7 +2,7 @@
 
 import { useMemo } from 'preact/hooks';
 import { asking } from '../api/line';
-import { useRemote } from '../results/remote';
+import { useRemote } from '../ui/remote';
 import { displayOf, unitSystem } from '../state/displayUnits';
 import { hasResults, shown } from '../runs/runs';
 import { corridorWidth, sectionEnvelope } from '../view/settings';

@@ -9,7 +9,7 @@ import { open } from '../project/opening';
 import { runs } from '../runs/runs';
 import { bytesText, momentText } from '../units/texts';
 import { counted } from '../units/numbers';
-import { Popover } from '../view/Popover';
+import { Popover } from '../ui/Popover';
 import { ProjectDialog, type ProjectAction } from './ProjectDialogs';
 import { isFound, type ListedProject } from './projectList';
 import { deleted, eraseProject, pictureOf, projectsNow, restoreProject } from './projects';

@@ -1,7 +1,7 @@
 import { LayerList } from '../layers/LayerList';
 import { dimension } from '../project/place';
 import { MemoryNote } from './MemoryNote';
-import { Popover } from './Popover';
+import { Popover } from '../ui/Popover';
 import { layerNames, layers } from './settings';
 
 /// The layers of the model and of the run that a view shows. `memory`: of its parts.

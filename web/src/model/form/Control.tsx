@@ -17,7 +17,7 @@ import { PolylinesControl } from './PolylinesControl';
 import { materialFields, NameChoice, NameList } from './references';
 import { RowsOrFileControl } from './RowsOrFileControl';
 import { SegmentList } from './SegmentList';
-import { TypedInput } from './TypedInput';
+import { TypedInput } from '../../ui/TypedInput';
 import { WordsControl } from './WordsControl';
 
 export function Control({ field: declared, path }: FieldProps) {

@@ -14,7 +14,7 @@ import { Choice } from './Choice';
 import { Curve } from './Curve';
 import { FileControl } from './FileControl';
 import { idOf, problemsId, type FieldProps } from './fieldProps';
-import { TypedInput } from './TypedInput';
+import { TypedInput } from '../../ui/TypedInput';
 
 const kindTitles: Record<string, string> = { [constantKind]: 'constant' };
 

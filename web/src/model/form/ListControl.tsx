@@ -1,6 +1,6 @@
 import type { TomlValue } from '../../toml/format';
 import { cellText, typedList } from '../../settings/numbers';
-import { TypedInput } from './TypedInput';
+import { TypedInput } from '../../ui/TypedInput';
 
 interface Props {
   id: string;

@@ -10,7 +10,7 @@ import { counted } from '../../units/numbers';
 import { pathText } from '../../project/place';
 import { cellsOf, rowEdits } from '../../settings/rows';
 import { waitingAt } from '../../project/unfinished';
-import { EditTable } from './EditTable';
+import { EditTable } from '../../ui/EditTable';
 import type { FieldProps } from './fieldProps';
 import { tableProps } from './geometry';
 import { PolygonPreview } from './PolygonPreview';

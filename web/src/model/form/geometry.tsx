@@ -15,9 +15,9 @@ import { keepWaiting, waitingAt } from '../../project/unfinished';
 import { isBlank, isSameRow, type Waiting } from '../../settings/waitingRows';
 import { Choice } from './Choice';
 import { DrawButton } from './DrawButton';
-import { EditTable } from './EditTable';
+import { EditTable } from '../../ui/EditTable';
 import { idOf, problemsId, type FieldProps } from './fieldProps';
-import { TypedInput } from './TypedInput';
+import { TypedInput } from '../../ui/TypedInput';
 
 /// The minimum number of coordinates of a position. The height may be omitted if `height_above_m` is given.
 function leastOf({ field, path }: FieldProps, columns: number): number {

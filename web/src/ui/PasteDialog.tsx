@@ -1,9 +1,9 @@
 // Pastes rows into an edit table and asks how to read ambiguous numbers.
 
 import { useState } from 'preact/hooks';
-import { Dialog } from '../../ui/Dialog';
-import { counted } from '../../units/numbers';
-import { readPasted, withoutNames, type Commas } from '../../settings/pasted';
+import { Dialog } from './Dialog';
+import { counted } from '../units/numbers';
+import { readPasted, withoutNames, type Commas } from '../settings/pasted';
 
 export interface Cell {
   row: number;

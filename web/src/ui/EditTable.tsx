@@ -2,11 +2,11 @@
 
 import type { ComponentChildren } from 'preact';
 import { useEffect, useLayoutEffect, useRef, useState } from 'preact/hooks';
-import { isSame } from '../../toml/differences';
-import type { TomlValue } from '../../toml/format';
-import { cellText } from '../../settings/numbers';
-import { readPasted, withoutNames } from '../../settings/pasted';
-import { overlaid, rowValue } from '../../settings/rows';
+import { isSame } from '../toml/differences';
+import type { TomlValue } from '../toml/format';
+import { cellText } from '../settings/numbers';
+import { readPasted, withoutNames } from '../settings/pasted';
+import { overlaid, rowValue } from '../settings/rows';
 import {
   asGiven,
   isBlank,
@@ -16,7 +16,7 @@ import {
   withWaiting,
   type Row,
   type Waiting,
-} from '../../settings/waitingRows';
+} from '../settings/waitingRows';
 import { PasteDialog, type Cell } from './PasteDialog';
 import { TypedInput } from './TypedInput';
 

@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
-import type { TomlValue } from '../../toml/format';
-import { cellText, typedNumber } from '../../settings/numbers';
+import type { TomlValue } from '../toml/format';
+import { cellText, typedNumber } from '../settings/numbers';
 
 export interface TypedInputProps {
   id?: string;
