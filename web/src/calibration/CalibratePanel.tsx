@@ -10,7 +10,7 @@ import { OtherProblems, ProblemsAt } from './ProblemsAt';
 import { calibrate, isSending, openStudy, studiesBeside } from './runStudy';
 import { studyEnding, studyNumbers, type StudyNumber } from './study';
 import '../ui/forms.css';
-import '../runs/runs.css';
+import '../runList/runs.css';
 import './calibration.css';
 
 /// With the defaults of `talus calibrate`.

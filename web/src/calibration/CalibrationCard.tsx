@@ -1,6 +1,6 @@
 import { useState } from 'preact/hooks';
 import type { Run } from '../api/types';
-import { RunStateText } from '../runs/RunStateText';
+import { RunStateText } from '../runList/RunStateText';
 import { showCalibration, remove, resume, shownCalibration, stop } from '../runs/runs';
 import { openResults, resultsTab, showTab } from '../state/panels';
 import { Dialog } from '../ui/Dialog';

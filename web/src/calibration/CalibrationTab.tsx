@@ -12,7 +12,7 @@ import { DataTable } from '../results/DataTable';
 import { useRemote } from '../ui/remote';
 import { fileName } from '../results/save';
 import { Waiting } from '../ui/Waiting';
-import { stateText } from '../runs/RunStateText';
+import { stateText } from '../runList/RunStateText';
 import { reportFailure } from '../state/messages';
 import { shownCalibration } from '../runs/runs';
 import { ensembles, openBestFit, predictWithPosterior } from './predictions';

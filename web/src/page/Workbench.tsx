@@ -14,7 +14,7 @@ import { SlopeCard } from '../slopeTools/SlopeCard';
 import { slopePane } from '../slopeTools/state';
 import { TimeBar } from '../paths/TimeBar';
 import { ResultsPanel } from './ResultsPanel';
-import { RunsPanel } from '../runs/RunsPanel';
+import { RunsPanel } from '../runList/RunsPanel';
 import { SceneView } from '../scene/SceneView';
 import { SectionView } from '../section/SectionView';
 import { TextPanel } from '../model/TextPanel';

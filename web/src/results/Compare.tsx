@@ -6,7 +6,7 @@ import { results, type BarrierAnswer, type ColumnStatistics } from '../api/resul
 import type { Run } from '../api/types';
 import { boxes, boxRows } from '../figures/boxes';
 import type { Room } from '../figures/plot';
-import { RunDifferences } from '../runs/Differences';
+import { RunDifferences } from '../runList/Differences';
 import { filter } from '../runs/filter';
 import { compared, compareWith, hasResults, ownRuns } from '../runs/runs';
 import { Chart } from './Chart';

@@ -3,7 +3,7 @@
 import { useState } from 'preact/hooks';
 import { hasMoreFiles } from '../project/files';
 import { MoreFiles } from '../model/MoreFiles';
-import { stateText } from '../runs/RunStateText';
+import { stateText } from '../runList/RunStateText';
 import { reportFailure } from '../state/messages';
 import { open } from '../project/opening';
 import { runs } from '../runs/runs';

@@ -1,6 +1,6 @@
 import { useId, useState } from 'preact/hooks';
 import type { Run } from '../api/types';
-import { comparedId, compareWith, hasResults, remove, resume, show, shown, shownId, stop } from './runs';
+import { comparedId, compareWith, hasResults, remove, resume, show, shown, shownId, stop } from '../runs/runs';
 import { Dialog } from '../ui/Dialog';
 import { clockText, momentText } from '../units/texts';
 import { counted, numberText } from '../units/numbers';
@@ -9,7 +9,7 @@ import { RunDetails } from './RunDetails';
 import { RunName } from './RunName';
 import { RunReport } from './RunReport';
 import { RunStateText } from './RunStateText';
-import { useChanges } from './runText';
+import { useChanges } from './changes';
 
 function Facts({ run }: { run: Run }) {
   const facts = [

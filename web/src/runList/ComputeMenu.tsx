@@ -3,7 +3,7 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { valueAt } from '../project/document';
 import { model, problems } from '../project/model';
-import { compute } from './runs';
+import { compute } from '../runs/runs';
 import { showPanel } from '../state/panels';
 import { focusOnceMade } from '../ui/focus';
 import './runs.css';

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import type { Run } from '../api/types';
-import { rename } from './runs';
+import { rename } from '../runs/runs';
 import { focusOnceMade } from '../ui/focus';
 
 /// The name of a run; a click turns it into an input.

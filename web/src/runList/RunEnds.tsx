@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Run, RunState } from '../api/types';
-import { areKnown, runs } from './runs';
+import { areKnown, runs } from '../runs/runs';
 import { stateText } from './RunStateText';
 
 const isUnderWay = (state: RunState | undefined) => state === 'waiting' || state === 'running';

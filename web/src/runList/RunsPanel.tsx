@@ -1,6 +1,6 @@
 // The runs of the open project, newest first.
 
-import { areKnown, compute, ownRuns } from './runs';
+import { areKnown, compute, ownRuns } from '../runs/runs';
 import { problems } from '../project/model';
 import { RunCard } from './RunCard';
 import './runs.css';
