@@ -1,9 +1,22 @@
 // Requests for the results of a run.
 
-import type { RockFilter } from '../runs/filter';
 import { getJson, getText } from './client';
 import { parseExact, type NumberText } from './exact';
 import type { Difference, RockAnswer, RunMap, Statistics } from './types';
+
+/// Which rocks are counted: all conditions must be met; the names of a list are alternatives; null: no condition.
+export interface RockFilter {
+  reasons: string[] | null;
+  seeders: string[] | null;
+  sources: string[] | null;
+  barriers: string[] | null;
+  /// Numbers of release places of the shown run.
+  releases: number[] | null;
+  /// The rocks that cross an asked line: the server's name of their selection.
+  crossing: string | null;
+  minEnergy_kJ: number | null;
+  maxEnergy_kJ: number | null;
+}
 
 /// Descriptive statistics as in summary.json.
 export interface FigureTexts {

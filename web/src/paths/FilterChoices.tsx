@@ -1,7 +1,8 @@
 // The rock filter, in a popover of each view's toolbar.
 
 import { useState } from 'preact/hooks';
-import { everyRock, filter, isFiltering, type RockFilter } from '../runs/filter';
+import { everyRock, filter, isFiltering } from '../runs/filter';
+import type { RockFilter } from '../api/results';
 import { counted } from '../units/numbers';
 import { Popover } from '../ui/Popover';
 import { shownPaths } from './drawnPaths';

@@ -1,6 +1,6 @@
 // Applies a filter to the rocks.
 
-import type { RockFilter } from '../runs/filter';
+import type { RockFilter } from '../api/results';
 import type { DrawnPaths } from './drawnPaths';
 
 type Rocks = Pick<DrawnPaths, 'rocks' | 'reasons' | 'seeders' | 'sources' | 'releases' | 'barriers' | 'maxEnergies'> & {

@@ -4,7 +4,7 @@ import { edit } from './document';
 import { notify, reportFailure } from '../state/messages';
 import { openForm } from './chosen';
 import { fileFormats } from '../generated/schema';
-import { type FileKind } from '../settings/fileEndings';
+import type { FileKind } from '../settings/fileEndings';
 import { tableAt } from './place';
 import { changeTo, terrainKinds } from '../settings/terrainKinds';
 import type { KeyOf } from '../settings/names';

@@ -1,11 +1,11 @@
 // Box plots of a quantity for all rocks and for each group of rocks.
 
 import { useCallback, useState } from 'preact/hooks';
-import { results, type ColumnStatistics } from '../api/results';
+import { results, type ColumnStatistics, type RockFilter } from '../api/results';
 import type { Run } from '../api/types';
 import { boxes, boxRows } from '../figures/boxes';
 import type { Room } from '../figures/plot';
-import { filter, type RockFilter } from '../runs/filter';
+import { filter } from '../runs/filter';
 import { Chart } from './Chart';
 import { savingOf, titleOf } from './columns';
 import { boxesOf, quantityOf, shownColour, type Layer } from './layers';

@@ -1,9 +1,9 @@
 // The overview of a run, from summary.json.
 
-import { results } from '../api/results';
+import { results, type RockFilter } from '../api/results';
 import type { Run } from '../api/types';
 import type { NumberText } from '../api/exact';
-import { filter, isFiltering, type RockFilter } from '../runs/filter';
+import { filter, isFiltering } from '../runs/filter';
 import { clockText } from '../units/texts';
 import { counted, numberText } from '../units/numbers';
 import { endpointColumnOf, titleOf, unitOf } from './columns';
