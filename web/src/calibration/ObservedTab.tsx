@@ -5,11 +5,11 @@ import { observing, type ObservedComparison, type ObservedQuantity } from '../ap
 import type { Run } from '../api/types';
 import { cumulative, cumulativeRows, type Steps } from '../figures/cumulative';
 import type { Room } from '../figures/plot';
-import { Chart } from '../results/Chart';
-import { DataTable } from '../results/DataTable';
-import { shownColour } from '../results/layers';
+import { Chart } from '../charts/Chart';
+import { DataTable } from '../charts/DataTable';
+import { shownColour } from '../charts/colours';
 import { useRemote } from '../ui/remote';
-import { fileName } from '../results/save';
+import { fileName } from '../charts/save';
 import { Waiting } from '../ui/Waiting';
 import { counted } from '../units/numbers';
 import { inFolder, observedStops } from './observations';

@@ -5,10 +5,10 @@ import { observing, type FigureUncertainty, type RangeOf } from '../api/calibrat
 import type { Run } from '../api/types';
 import type { Room } from '../figures/plot';
 import { tornado } from '../figures/tornado';
-import { Chart } from '../results/Chart';
-import { DataTable } from '../results/DataTable';
+import { Chart } from '../charts/Chart';
+import { DataTable } from '../charts/DataTable';
 import { useRemote } from '../ui/remote';
-import { fileName } from '../results/save';
+import { fileName } from '../charts/save';
 import { Waiting } from '../ui/Waiting';
 import './calibration.css';
 

@@ -1,8 +1,8 @@
 // Counts of rocks at barriers and collectors. Collectors have a separate table, because they stop nothing.
 
 import type { BarrierAnswer } from '../api/results';
-import { DataTable, type Column } from './DataTable';
-import { fileName } from './save';
+import { DataTable, type Column } from '../charts/DataTable';
+import { fileName } from '../charts/save';
 
 /// A barrier of a run, with the run's name if there are several.
 interface Row {

@@ -7,14 +7,15 @@ import { filter } from '../runs/filter';
 import { counted } from '../units/numbers';
 import { BarrierCounts } from './BarrierCounts';
 import { ColumnChoice, hitChoices } from './ColumnChoice';
-import { titleOf } from './columns';
+import { titleOf } from '../charts/columns';
 import { DesignSummary } from './DesignSummary';
 import { DesignTable } from './DesignTable';
 import { DistributionFigures } from './DistributionFigures';
-import { shownColour, type Layer } from './layers';
+import { type Layer } from './layers';
+import { shownColour } from '../charts/colours';
 import { FilterNote } from './FilterNote';
 import { useRemote } from '../ui/remote';
-import { fileName } from './save';
+import { fileName } from '../charts/save';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from '../ui/Waiting';
 

@@ -1,4 +1,4 @@
-import { type EndpointNumber, type HitNumber, displayOfColumn, titleOf, withUnit } from './columns';
+import { type EndpointNumber, type HitNumber, displayOfColumn, titleOf, withUnit } from '../charts/columns';
 
 /// The choice of a column of a table.
 export function ColumnChoice({

@@ -2,9 +2,9 @@
 
 import { results, type AppliedFactor, type DesignPair, type PairKit } from '../api/results';
 import type { Run } from '../api/types';
-import { DataTable } from './DataTable';
+import { DataTable } from '../charts/DataTable';
 import { useRemote } from '../ui/remote';
-import { fileName } from './save';
+import { fileName } from '../charts/save';
 
 const kitText = ({ kit, height_m, energy_J }: PairKit) =>
   `${kit === null ? '' : `${kit}, `}${height_m} m, ${Number(energy_J) / 1000} kJ`;

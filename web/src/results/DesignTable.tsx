@@ -2,9 +2,9 @@
 
 import type { DesignLine } from '../api/results';
 import type { Run } from '../api/types';
-import { DataTable } from './DataTable';
-import { titleOf, unitOf } from './columns';
-import { fileName } from './save';
+import { DataTable } from '../charts/DataTable';
+import { titleOf, unitOf } from '../charts/columns';
+import { fileName } from '../charts/save';
 
 /// The population of the percentiles: not only rocks that hit the barrier.
 const populationOf = ({ rocks }: DesignLine) =>

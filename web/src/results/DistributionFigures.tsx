@@ -2,10 +2,10 @@ import { useCallback } from 'preact/hooks';
 import { cumulative, cumulativeRows } from '../figures/cumulative';
 import { histogram, histogramRows } from '../figures/histogram';
 import type { Room } from '../figures/plot';
-import { Chart } from './Chart';
-import { savingOf, titleOf } from './columns';
+import { Chart } from '../charts/Chart';
+import { savingOf, titleOf } from '../charts/columns';
 import { binsOf, quantityOf, stepsOf, type Layer } from './layers';
-import { fileName } from './save';
+import { fileName } from '../charts/save';
 
 interface Props {
   layers: readonly Layer[];

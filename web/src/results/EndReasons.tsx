@@ -1,5 +1,5 @@
 import type { NumberText } from '../api/exact';
-import { DataTable } from './DataTable';
+import { DataTable } from '../charts/DataTable';
 
 /// The number of rocks for each end reason; `of` is the number of all rocks.
 export function EndReasons({ reasons, of, file }: { reasons: Record<string, NumberText>; of: number; file: string }) {

@@ -5,12 +5,12 @@ import { results } from '../api/results';
 import type { Run } from '../api/types';
 import { envelope, envelopeRows, type EnvelopeQuantity } from '../figures/envelope';
 import { titleOf, type Room } from '../figures/plot';
-import { Chart } from './Chart';
+import { Chart } from '../charts/Chart';
 import { displayOf } from '../state/displayUnits';
 import { envelopesOf, quantitiesOf } from './envelopes';
-import { shownColour } from './layers';
+import { shownColour } from '../charts/colours';
 import { useRemote } from '../ui/remote';
-import { fileName } from './save';
+import { fileName } from '../charts/save';
 import { Waiting } from '../ui/Waiting';
 
 /// The file's numbers are divided by `per` of the quantity for its unit, and further for the unit in which it is shown.

@@ -6,11 +6,12 @@ import type { Run } from '../api/types';
 import { boxes, boxRows } from '../figures/boxes';
 import type { Room } from '../figures/plot';
 import { filter } from '../runs/filter';
-import { Chart } from './Chart';
-import { savingOf, titleOf } from './columns';
-import { boxesOf, quantityOf, shownColour, type Layer } from './layers';
+import { Chart } from '../charts/Chart';
+import { savingOf, titleOf } from '../charts/columns';
+import { boxesOf, quantityOf, type Layer } from './layers';
+import { shownColour } from '../charts/colours';
 import { useRemote } from '../ui/remote';
-import { fileName } from './save';
+import { fileName } from '../charts/save';
 
 const groupings = {
   none: 'all rocks',

@@ -6,11 +6,11 @@ import type { NumberText } from '../api/exact';
 import { filter, isFiltering } from '../runs/filter';
 import { clockText } from '../units/texts';
 import { counted, numberText } from '../units/numbers';
-import { endpointColumnOf, titleOf, unitOf } from './columns';
+import { endpointColumnOf, titleOf, unitOf } from '../charts/columns';
 import { EndReasons } from './EndReasons';
 import { FilterNote } from './FilterNote';
 import { useRemote } from '../ui/remote';
-import { fileName } from './save';
+import { fileName } from '../charts/save';
 import { StatisticsTable } from './StatisticsTable';
 import { Waiting } from '../ui/Waiting';
 

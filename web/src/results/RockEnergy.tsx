@@ -3,10 +3,10 @@ import type { RockAnswer, Run } from '../api/types';
 import { energy } from '../figures/energy';
 import { numberText } from '../units/numbers';
 import type { Room } from '../figures/plot';
-import { Chart } from './Chart';
+import { Chart } from '../charts/Chart';
 import { displayOf } from '../state/displayUnits';
-import { asInFiles } from './columns';
-import { fileName } from './save';
+import { asInFiles } from '../charts/columns';
+import { fileName } from '../charts/save';
 
 /// The energies of a rock over time.
 export function RockEnergy({ run, rock, path }: { run: Run; rock: number; path: RockAnswer }) {

@@ -3,8 +3,8 @@
 import type { Run } from '../api/types';
 import { shownPaths, type CountSoFar } from '../paths/drawnPaths';
 import { counted, numberText } from '../units/numbers';
-import { DataTable } from './DataTable';
-import { fileName } from './save';
+import { DataTable } from '../charts/DataTable';
+import { fileName } from '../charts/save';
 
 const percent = (share: number) => numberText(100 * share, 3);
 

@@ -1,6 +1,6 @@
 import type { FigureTexts } from '../api/results';
-import { DataTable } from './DataTable';
-import { DigitsSwitch } from './DigitsSwitch';
+import { DataTable } from '../charts/DataTable';
+import { DigitsSwitch } from '../charts/DigitsSwitch';
 import { figureText, figuresOf, unitOfFigure } from './statisticsTable';
 
 interface Props {

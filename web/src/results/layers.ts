@@ -5,7 +5,7 @@ import type { Bins } from '../figures/histogram';
 import type { Box } from '../figures/boxes';
 import type { Quantity } from '../figures/plot';
 import type { Steps } from '../figures/cumulative';
-import { displayOfColumn, titleOf } from './columns';
+import { displayOfColumn, titleOf } from '../charts/columns';
 
 /// The statistics of one run or group.
 export interface Layer {
@@ -14,11 +14,6 @@ export interface Layer {
   /// A CSS colour.
   colour: string;
 }
-
-export const shownColour = 'var(--accent)';
-/// The colours of two compared runs.
-export const firstColour = 'var(--run-shown)';
-export const secondColour = 'var(--run-compared)';
 
 export function quantityOf(column: string, layers: readonly Layer[]): Quantity {
   return { title: titleOf(column), ...displayOfColumn(column, layers[0]?.statistics.unit) };

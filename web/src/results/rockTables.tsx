@@ -1,10 +1,10 @@
 import type { RockAnswer, Run } from '../api/types';
 import { hitColumns, pathColumns } from '../generated/columns';
 import { numberText } from '../units/numbers';
-import { DataTable, type Column } from './DataTable';
-import { displayOfColumn, type HitColumn, type PathColumn } from './columns';
-import { DigitsSwitch } from './DigitsSwitch';
-import { fileName } from './save';
+import { DataTable, type Column } from '../charts/DataTable';
+import { displayOfColumn, type HitColumn, type PathColumn } from '../charts/columns';
+import { DigitsSwitch } from '../charts/DigitsSwitch';
+import { fileName } from '../charts/save';
 
 /// The headings of the verification manual's path tables.
 const pathTitles: Record<Exclude<PathColumn, 'rock'>, string> = {
