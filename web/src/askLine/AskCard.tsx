@@ -2,7 +2,7 @@
 
 import { useEffect, useRef } from 'preact/hooks';
 import type { LineAnswer, PolygonAnswer } from '../api/line';
-import { tool } from '../scene/tool';
+import { tool } from '../tools/tool';
 import { crossingRocks, filter } from '../runs/filter';
 import { hasResults, shown } from '../runs/runs';
 import { answer, asked, isWaiting, openCard, refusal } from './asked';

@@ -1,11 +1,11 @@
 // Drawing what is asked in the views, and dragging it there.
 
 import type { Point2, Point3 } from '../api/types';
-import { draw } from '../model/drawing';
+import { draw } from '../tools/drawing';
 import { dimension } from '../project/place';
 import { pathOf } from '../settings/names';
 import { rounded } from '../geometry/plan';
-import { grips, tool, useTool, type GripDrag } from '../scene/tool';
+import { grips, tool, useTool, type GripDrag } from '../tools/tool';
 import { valueAt } from '../project/document';
 import { model } from '../project/model';
 import { distanceToLine, type Pixel } from '../geometry/nearness';

@@ -2,7 +2,7 @@
 
 import { effect, signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
-import { showOverlay, type Overlay } from '../scene/tool';
+import { showOverlay, type Overlay } from '../tools/tool';
 import { markColours } from '../view/colours';
 import { answer, askedNow, draggedPoints, isAsking } from './asked';
 import { cornersOf, groundOf } from './askTools';

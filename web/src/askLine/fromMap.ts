@@ -3,10 +3,10 @@
 import { Refused, sendJson } from '../api/client';
 import type { Point2, Point3 } from '../api/types';
 import { addressOf, isDrawn, projectLayers } from '../layers/layers';
-import { draw } from '../model/drawing';
+import { draw } from '../tools/drawing';
 import { dimension } from '../project/place';
 import { camera } from '../scene/picture';
-import { tool, useTool } from '../scene/tool';
+import { tool, useTool } from '../tools/tool';
 import { notify, reportFailure, resolve } from '../state/messages';
 import { model } from '../project/model';
 import { numberText } from '../units/numbers';

@@ -7,7 +7,7 @@ import { consequences } from '../settings/consequences';
 import { is2d } from '../project/place';
 import { rounded } from '../geometry/plan';
 import { rowEdits } from '../settings/rows';
-import { inTurn, overlays, showOverlay, type GripDrag, type Overlay } from '../scene/tool';
+import { inTurn, overlays, showOverlay, type GripDrag, type Overlay } from '../tools/tool';
 import { edit, endStep, valueAt, values } from '../project/document';
 import { model } from '../project/model';
 import type { TomlValue } from '../toml/format';

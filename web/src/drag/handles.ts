@@ -5,7 +5,7 @@ import { sendJson } from '../api/client';
 import type { Point3 } from '../api/types';
 import { is2d, nameOf } from '../project/place';
 import type { Path, TableName } from '../settings/names';
-import { showOverlay, tool } from '../scene/tool';
+import { showOverlay, tool } from '../tools/tool';
 import { groundBelow, profile } from '../project/profile';
 import { rowsOf, syntaxError, values } from '../project/document';
 import { reportFailure } from '../state/messages';

@@ -3,7 +3,7 @@
 import { signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
 import { consequences } from '../settings/consequences';
-import { drawable, onPlan } from '../model/geometryTools';
+import { drawable, onPlan } from '../tools/geometryTools';
 import type { Path, TableName } from '../settings/names';
 import { is2d, nameOf } from '../project/place';
 import { rounded } from '../geometry/plan';

@@ -5,13 +5,12 @@ import { edit, rowsOf } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../project/model';
 import { counted } from '../units/numbers';
-import { assignByClicks, paintArea } from './assignTool';
+import { assignByClicks, paintArea } from '../tools/assignTool';
 import { materialColour } from '../view/colours';
 import { Field } from './form/Field';
-import { materialNames } from './form/references';
+import { materialNames, is2d, nameOf, tableAt } from '../project/place';
 import { TableForm } from './form/TableForm';
 import { changeWay, groundWays, wayOf, waysFor, type GroundWay } from '../settings/groundWays';
-import { is2d, nameOf, tableAt } from '../project/place';
 import { fieldOf } from '../settings/declared';
 import { kindOf } from '../settings/terrainKinds';
 

@@ -17,7 +17,7 @@ import { DesignForm } from './DesignForm';
 import { GroundForm } from './GroundForm';
 import { LibraryNotice } from './LibraryNotice';
 import { OwnMaterialButton } from './OwnMaterialButton';
-import { followChosen } from './highlight';
+import { followChosen } from '../tools/highlight';
 import { TerrainForm } from './TerrainForm';
 import { ProblemList } from './ProblemList';
 import { UnfinishedList } from './UnfinishedList';

@@ -7,10 +7,9 @@ import { NextSteps } from './NextSteps';
 import { summaryOf } from './summaries';
 import { sections, type Section } from '../settings/sections';
 import { add, nextSteps } from '../project/things';
-import { is2d, nameOf } from '../project/place';
+import { is2d, nameOf, materialNames } from '../project/place';
 import { materialColour } from '../view/colours';
 import { LibraryChoice } from './LibraryChoice';
-import { materialNames } from './form/references';
 import { cellText } from '../settings/numbers';
 import type { Path } from '../settings/names';
 

@@ -3,7 +3,7 @@
 import { file, redo, undo } from '../project/document';
 import { save } from '../project/saving';
 import { compute } from '../runs/runs';
-import { finishTool, removeLastPoint, tool, useTool } from '../scene/tool';
+import { finishTool, removeLastPoint, tool, useTool } from '../tools/tool';
 import { afterTyping, isWriting } from '../project/typing';
 
 /// Whether an element has its own Undo: a field with typed text that is not stored yet.

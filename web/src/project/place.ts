@@ -42,6 +42,10 @@ export function nameOf(key: TableName, index: number): string {
   return typeof name === 'string' && name !== '' ? name : `${key} ${index + 1}`;
 }
 
+/// The names of all entries of a list.
+export const namesOf = (key: TableName): string[] => rowsOf(key).map((_, index) => nameOf(key, index));
+export const materialNames = () => namesOf('material');
+
 /// The name of the entry or section of a path: "Type One", "terrain".
 export function thingOf(path: Path): string {
   if (typeof path[1] === 'number') return nameOf(path[0] as TableName, path[1]);
@@ -66,14 +70,14 @@ export function put(path: Path, value: TomlValue | undefined, title: string, mer
 
 /// Returns a function that tells whether the entries of a list are still the same, by their names.
 export function entriesUnchanged(key: TableName): () => boolean {
-  const names = () => JSON.stringify(rowsOf(key).map((_, index) => nameOf(key, index)));
+  const names = () => JSON.stringify(namesOf(key));
   const then = names();
   return () => names() === then;
 }
 
 /// An unused name for an entry of these lists: "Material 3".
 export function freshName(keys: readonly TableName[], word: string): string {
-  const taken = new Set(keys.flatMap((key) => rowsOf(key).map((_, index) => nameOf(key, index).toLowerCase())));
+  const taken = new Set(keys.flatMap((key) => namesOf(key).map((name) => name.toLowerCase())));
   for (let number = 1; ; ++number) {
     if (!taken.has(`${word} ${number}`.toLowerCase())) return `${word} ${number}`;
   }

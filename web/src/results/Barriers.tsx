@@ -11,7 +11,7 @@ import { titleOf } from '../charts/columns';
 import { DesignSummary } from './DesignSummary';
 import { DesignTable } from './DesignTable';
 import { DistributionFigures } from './DistributionFigures';
-import { type Layer } from './layers';
+import type { Layer } from './layers';
 import { shownColour } from '../charts/colours';
 import { FilterNote } from './FilterNote';
 import { useRemote } from '../ui/remote';

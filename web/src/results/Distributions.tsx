@@ -8,7 +8,7 @@ import { counted } from '../units/numbers';
 import { ColumnChoice, endpointChoices } from './ColumnChoice';
 import { titleOf } from '../charts/columns';
 import { DistributionFigures } from './DistributionFigures';
-import { type Layer } from './layers';
+import type { Layer } from './layers';
 import { shownColour } from '../charts/colours';
 import { FilterNote } from './FilterNote';
 import { GroupBoxes } from './GroupBoxes';

@@ -2,7 +2,7 @@ import { shownMap, valueAt } from '../maps/shownMap';
 import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
 import { roundStep } from '../geometry/ticks';
-import { ToolHint } from './ToolHint';
+import { ToolHint } from '../drag/ToolHint';
 import { camera, contourInterval, pointer } from './picture';
 
 /// Scale bar, contour interval, and the point under the pointer.

@@ -30,7 +30,7 @@ import type { Terrain } from './terrain';
 import { MeshTile } from './meshTile';
 import { Tile, type TileHeader } from './tile';
 import { TiledTerrain, type MakeTile } from './tiledTerrain';
-import { overlays, tool } from './tool';
+import { overlays, tool } from '../tools/tool';
 
 const mostTriangles = 60_000; // of a mesh that is drawn as a whole; a larger one is drawn in tiles
 

@@ -1,7 +1,7 @@
 // The state of the scene that controls next to it show.
 
 import { signal } from '@preact/signals';
-import type { Place } from './tool';
+import type { Place } from '../tools/tool';
 
 /// The point of the ground under the pointer.
 export const pointer = signal<Place | null>(null);

@@ -12,7 +12,7 @@ import type { Pixel } from '../geometry/nearness';
 import type { ModelScene } from './modelScene';
 import { namedViews, type NamedView } from './namedViews';
 import * as picture from './picture';
-import { finishTool, gripAt, inTurn, tool, type Place } from './tool';
+import { finishTool, gripAt, inTurn, tool, type Place } from '../tools/tool';
 
 const drag = 4; // pixels of movement that turn a click into a drag
 

@@ -1,7 +1,7 @@
 // The view of a 2D model with its controls.
 
 import { useEffect, useRef } from 'preact/hooks';
-import { ToolHint } from '../scene/ToolHint';
+import { ToolHint } from '../drag/ToolHint';
 import { model } from '../project/model';
 import { Legends } from '../view/Legend';
 import { showRock } from '../runs/chosenRock';

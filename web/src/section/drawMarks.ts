@@ -2,7 +2,7 @@
 
 import type { Model } from '../api/types';
 import type { ObservedPlaces } from '../calibration/observations';
-import type { Overlay } from '../scene/tool';
+import type { Overlay } from '../tools/tool';
 import { markColours } from '../view/colours';
 import { markRadius, meanSpacing } from '../paths/rockSize';
 import { labelOf, type Label } from '../view/labels';

@@ -6,7 +6,7 @@ import { alongLine, bestBox, type Box } from '../geometry/framing';
 import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
 import { watchOver } from '../view/over';
 import { equalAxes } from '../view/settings';
-import { tool } from '../scene/tool';
+import { tool } from '../tools/tool';
 import { fitted, pixelOf, type Bounds, type Frame } from './frame';
 import { profile } from '../project/profile';
 

@@ -10,7 +10,7 @@ import { comparedPaths, indexOfRock, shownPaths } from '../paths/drawnPaths';
 import { isWhole, time } from '../paths/playback';
 import { RocksAtTime } from '../paths/rocksAtTime';
 import { comparedPassing, shownPassing } from '../paths/shownPassing';
-import { overlays } from '../scene/tool';
+import { overlays } from '../tools/tool';
 import { layers } from '../view/settings';
 import { cssColour, shade } from '../view/theme';
 import { drawAxes, drawGrid, drawSlope, type Look } from './drawGround';

@@ -4,8 +4,8 @@ import { Drag, dragOf, followPointer, handleAt, type DragView } from '../drag/dr
 import { showHandles } from '../drag/handles';
 import { openMenu } from '../drag/menu';
 import { thingAt } from '../drag/things';
-import type { Place } from '../scene/tool';
-import { finishTool, gripAt, tool } from '../scene/tool';
+import type { Place } from '../tools/tool';
+import { finishTool, gripAt, tool } from '../tools/tool';
 import { choose } from '../project/chosen';
 import type { Pixel } from '../geometry/nearness';
 import { moved, pixelOf, placeOf, zoomed } from './frame';

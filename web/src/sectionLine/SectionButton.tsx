@@ -1,4 +1,4 @@
-import { useTool } from '../scene/tool';
+import { useTool } from '../tools/tool';
 import { drawSection, isDrawing } from './sectionLine';
 
 export function SectionButton() {

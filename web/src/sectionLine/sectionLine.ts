@@ -4,10 +4,10 @@
 import { batch, effect, signal } from '@preact/signals';
 import { Refused, sendJson } from '../api/client';
 import type { GroundSection, Point2, Point3 } from '../api/types';
-import { draw } from '../model/drawing';
+import { draw } from '../tools/drawing';
 import { rounded } from '../geometry/plan';
 import type { Waiting } from '../settings/waitingRows';
-import { showOverlay, tool, useTool, type Overlay } from '../scene/tool';
+import { showOverlay, tool, useTool, type Overlay } from '../tools/tool';
 import { file } from '../project/document';
 import { build, model } from '../project/model';
 import { openResults, showTab } from '../state/panels';

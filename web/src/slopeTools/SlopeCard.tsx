@@ -1,6 +1,6 @@
 // The docked card of the slope tools.
 
-import { tool } from '../scene/tool';
+import { tool } from '../tools/tool';
 import { openPane, slopePane, type Pane } from './state';
 import { ShapeForm } from './ShapeForm';
 import { StaysPane } from './StaysPane';

@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import type { Point2, Point3 } from '../api/types';
 import { dragHint } from '../drag/drag';
 import { onGrid } from '../drag/snapping';
-import { grips, showOverlay, type GripDrag, type Overlay } from '../scene/tool';
+import { grips, showOverlay, type GripDrag, type Overlay } from '../tools/tool';
 import { groundBelow, profile } from '../project/profile';
 import { markColours } from '../view/colours';
 import { roundStep } from '../geometry/ticks';

@@ -1,6 +1,6 @@
 import { model } from '../../project/model';
 import type { Path } from '../../settings/names';
-import { drawable } from '../geometryTools';
+import { drawable } from '../../tools/geometryTools';
 
 /// Starts drawing a setting in the view.
 export function DrawButton({ path }: { path: Path }) {

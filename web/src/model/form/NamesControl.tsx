@@ -2,11 +2,10 @@
 
 import { useState } from 'preact/hooks';
 import { edit, valueAt } from '../../project/document';
-import { thingOf } from '../../project/place';
+import { thingOf, materialNames } from '../../project/place';
 import { isTable } from '../../settings/tables';
 import { Choice } from './Choice';
 import type { FieldProps } from './fieldProps';
-import { materialNames } from './references';
 import { chosenName } from '../../settings/names';
 
 export function NamesControl({ field, path }: FieldProps) {

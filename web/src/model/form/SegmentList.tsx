@@ -5,10 +5,9 @@ import { model, problemsAt } from '../../project/model';
 import type { Path } from '../../settings/names';
 import { counted } from '../../units/numbers';
 import { cellText } from '../../settings/numbers';
-import { is2d, pathText, tableAt } from '../../project/place';
+import { is2d, pathText, tableAt, materialNames } from '../../project/place';
 import { Choice } from './Choice';
 import { problemsId, type FieldProps } from './fieldProps';
-import { materialNames } from './references';
 
 export function SegmentList({ field, path }: FieldProps) {
   const value = valueAt(path);

@@ -1,21 +1,18 @@
 // Settings that refer to other entries of the project: materials, barriers, collectors.
 
-import { rowsOf, valueAt } from '../../project/document';
-import { nameOf, put } from '../../project/place';
+import { valueAt } from '../../project/document';
+import { materialNames, namesOf, put } from '../../project/place';
 import { absentText } from '../../settings/words';
 import { cellText } from '../../settings/numbers';
 import { Choice } from './Choice';
 import type { Common, FieldProps } from './fieldProps';
 import type { KeyOf, TableName } from '../../settings/names';
 
-const names = (key: TableName) => rowsOf(key).map((_, index) => nameOf(key, index));
-export const materialNames = () => names('material');
-
 /// Settings that are the name of another entry.
 export const materialFields: ReadonlySet<string> = new Set<`${TableName}.${KeyOf}`>(['ground.default', 'area.material', 'design.protect']);
 
 export function NameChoice({ field, path, ...common }: FieldProps & Common) {
-  const words = path[0] === 'design' ? names('collector') : materialNames();
+  const words = path[0] === 'design' ? namesOf('collector') : materialNames();
   const titles = Object.fromEntries(words.map((word) => [word, word]));
   return (
     <Choice
@@ -33,7 +30,7 @@ export function NameChoice({ field, path, ...common }: FieldProps & Common) {
 export function NameList({ field, path }: FieldProps) {
   const value = valueAt(path);
   const given = Array.isArray(value) ? value.map(cellText) : [];
-  const words = [...names('barrier'), ...names('collector')];
+  const words = [...namesOf('barrier'), ...namesOf('collector')];
   const unknown = given.filter((name) => !words.includes(name));
   if (words.length === 0 && unknown.length === 0) return <p class="faint">There are no barriers and collectors yet.</p>;
   return (

@@ -1,7 +1,7 @@
 // Highlights the selected entry in the view.
 
 import { effect, untracked } from '@preact/signals';
-import { showOverlay, type Overlay } from '../scene/tool';
+import { showOverlay, type Overlay } from './tool';
 import { model } from '../project/model';
 import { chosen } from '../project/chosen';
 import { materialColour } from '../view/colours';

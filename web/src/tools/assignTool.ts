@@ -2,15 +2,14 @@
 
 import { getArrays, getJson } from '../api/client';
 import type { Model } from '../api/types';
-import { useTool } from '../scene/tool';
+import { useTool } from './tool';
 import { edit, opening, valueAt } from '../project/document';
 import { model } from '../project/model';
 import { shading } from '../view/settings';
 import { draw } from './drawing';
 import { materialsWith } from '../settings/groundWays';
 import { onPlan } from './geometryTools';
-import { entriesUnchanged, freshName, nameOf, tableAt } from '../project/place';
-import { materialNames } from './form/references';
+import { entriesUnchanged, freshName, nameOf, tableAt, materialNames } from '../project/place';
 
 interface Facets {
   /// For each drawn triangle or segment its index in the project; for an extruded section the index of its segment.

@@ -1,5 +1,5 @@
-import { dragHint } from '../drag/drag';
-import { finishTool, tool, useTool } from './tool';
+import { dragHint } from './drag';
+import { finishTool, tool, useTool } from '../tools/tool';
 
 /// The hint of the active tool.
 export function ToolHint() {

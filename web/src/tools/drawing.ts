@@ -1,7 +1,7 @@
 // Drawing in the view: points are clicked one after the other and used together when the drawing is finished.
 
 import { signal } from '@preact/signals';
-import { showOverlay, tool, useTool, type Overlay, type Place } from '../scene/tool';
+import { showOverlay, tool, useTool, type Overlay, type Place } from './tool';
 import type { Point3 } from '../api/types';
 import { model } from '../project/model';
 

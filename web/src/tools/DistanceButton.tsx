@@ -2,7 +2,7 @@
 
 import { signal } from '@preact/signals';
 import type { Point3 } from '../api/types';
-import { showOverlay, tool, useTool, type Tool } from '../scene/tool';
+import { showOverlay, tool, useTool, type Tool } from './tool';
 import { numberText } from '../units/numbers';
 
 const places = signal<Point3[]>([]);

@@ -1,8 +1,8 @@
-import { LayerList } from '../layers/LayerList';
+import { LayerList } from './LayerList';
 import { dimension } from '../project/place';
-import { MemoryNote } from './MemoryNote';
+import { MemoryNote } from '../view/MemoryNote';
 import { Popover } from '../ui/Popover';
-import { layerNames, layers } from './settings';
+import { layerNames, layers } from '../view/settings';
 
 /// The layers of the model and of the run that a view shows. `memory`: of its parts.
 export function LayerChoices({ memory }: { memory: () => Record<string, number> }) {
