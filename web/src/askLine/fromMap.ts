@@ -5,7 +5,7 @@ import type { Point2, Point3 } from '../api/types';
 import { addressOf, isDrawn, projectLayers } from '../layers/layers';
 import { draw } from '../tools/drawing';
 import { dimension } from '../project/place';
-import { camera } from '../scene/picture';
+import { sceneCamera } from '../view/sceneCamera';
 import { tool, useTool } from '../tools/tool';
 import { notify, reportFailure, resolve } from '../state/messages';
 import { model } from '../project/model';
@@ -26,7 +26,7 @@ const reach = 12; // pixels
 
 async function takeNearest([x, y]: Point3) {
   const now = model.peek();
-  const reach_m = reach * camera.peek().metresPerPixel;
+  const reach_m = reach * sceneCamera.peek().metresPerPixel;
   const found = await Promise.all(vectorLayers().map((layer) => sendJson<Nearest>('POST', addressOf(layer, 'nearest'), { place: [x, y], reach_m })));
   if (model.peek()?.id !== now?.id) return;
   const [best] = found.flatMap(({ shape }) => shape ?? []).sort((a, b) => a.distance_m - b.distance_m);

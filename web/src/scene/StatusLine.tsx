@@ -3,11 +3,12 @@ import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
 import { roundStep } from '../geometry/ticks';
 import { ToolHint } from '../drag/ToolHint';
-import { camera, contourInterval, pointer } from './picture';
+import { sceneCamera } from '../view/sceneCamera';
+import { contourInterval, pointer } from './picture';
 
 /// Scale bar, contour interval, and the point under the pointer.
 export function StatusLine() {
-  const { metresPerPixel } = camera.value;
+  const { metresPerPixel } = sceneCamera.value;
   const { unit, per } = displayOf('m');
   const perPixel = metresPerPixel / per;
   let length = roundStep(60 * perPixel);

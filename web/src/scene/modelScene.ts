@@ -12,6 +12,7 @@ import { markColours } from '../view/colours';
 import { drapedOpacity, shownMap } from '../maps/shownMap';
 import type { Box } from '../geometry/framing';
 import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
+import { sceneCamera, setSceneCamera } from '../view/sceneCamera';
 import { watchOver } from '../view/over';
 import { contours, exaggeration, layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
@@ -271,9 +272,9 @@ export class ModelScene {
     }
     if (picture.contourInterval.peek() !== interval) picture.contourInterval.value = interval;
     const heading = (-stage.controls.getAzimuthalAngle() * 180) / Math.PI;
-    const known = picture.camera.peek();
+    const known = sceneCamera.peek();
     if (known.metresPerPixel !== metresPerPixel || known.heading !== heading)
-      picture.camera.value = { metresPerPixel, heading };
+      setSceneCamera({ metresPerPixel, heading });
     if (this.shownFile === file.peek()) camera.value = this.cameraNow();
   }
 

@@ -5,7 +5,6 @@ import type { Place } from '../tools/tool';
 
 /// The point of the ground under the pointer.
 export const pointer = signal<Place | null>(null);
-export const camera = signal({ metresPerPixel: 1, /** View direction in degrees from north, clockwise. */ heading: 0 });
 /// The contour interval [m]; 0: no contours.
 export const contourInterval = signal(0);
 /// The range of elevations, for the legend.

@@ -10,6 +10,7 @@ import { inLight } from '../view/theme';
 import type { ModelScene } from './modelScene';
 import { drawNames } from './nameLayer';
 import * as picture from './picture';
+import { sceneCamera } from '../view/sceneCamera';
 import { sceneLegends } from './SceneLegend';
 
 const timeout = 6000; // ms to load terrain at the resolution of the print
@@ -34,7 +35,7 @@ function copied(scene: ModelScene, ratio: number): HTMLCanvasElement {
 function paint(scene: ModelScene): SheetPicture {
   return scene.inSize(pictureSize, () => {
     const canvas = copied(scene, printRatio);
-    const { metresPerPixel, heading } = picture.camera.peek();
+    const { metresPerPixel, heading } = sceneCamera.peek();
     const interval = picture.contourInterval.peek();
     const remarks = [
       'scale at the centre of the view',
