@@ -2,9 +2,8 @@
 
 import { getJson } from '../api/client';
 import type { Point2, Problem } from '../api/types';
-import { inFolder } from '../calibration/observations';
 import { isPointText } from '../settings/fileEndings';
-import { files, fittingName, uploadFiles } from '../project/files';
+import { files, fittingName, inFolder, uploadFiles } from '../project/files';
 import { file } from '../project/document';
 import { notify, resolve } from '../state/messages';
 import { model } from '../project/model';

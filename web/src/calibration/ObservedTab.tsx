@@ -12,7 +12,8 @@ import { useRemote } from '../ui/remote';
 import { fileName } from '../charts/save';
 import { Waiting } from '../ui/Waiting';
 import { counted } from '../units/numbers';
-import { inFolder, observedStops } from './observations';
+import { inFolder } from '../project/files';
+import { observedStops } from './observations';
 import './calibration.css';
 
 const titles: Record<ObservedQuantity['key'], (of: ObservedComparison) => string> = {

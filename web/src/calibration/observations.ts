@@ -4,7 +4,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { observing, type ObservedPlace } from '../api/calibration';
 import { Refused } from '../api/client';
 import type { Point3, Problem } from '../api/types';
-import { fittingName, files, uploadFiles } from '../project/files';
+import { fittingName, files, inFolder, uploadFiles } from '../project/files';
 import { file, fileStem } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../project/model';
@@ -49,12 +49,6 @@ export async function takeObserved(list: readonly File[], kind: ObservationKind)
   const name = fittingName('table', uploaded, files.value);
   if (name !== undefined) addObservation(name, kind);
 }
-
-/// A file as the server names it.
-export const inFolder = (name: string): string => {
-  const parts = [...(file.value ?? '').split('/').slice(0, -1), ...name.split('/')];
-  return parts.reduce<string[]>((path, part) => (part === '..' ? path.slice(0, -1) : [...path, part]), []).join('/');
-};
 
 export interface ObservedPlaces {
   kind: 'stops' | 'marks';

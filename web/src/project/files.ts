@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { FileKind, FolderFile } from '../api/types';
 import { reportFailure } from '../state/messages';
+import { file } from './document';
 import { rebuild } from './model';
 import type { Name } from '../settings/names';
 import { askToReplace } from './replacing';
@@ -64,6 +65,12 @@ export function relativeTo(project: string, name: string): string {
   while (shared < from.length && shared < to.length - 1 && from[shared] === to[shared]) ++shared;
   return [...Array<string>(from.length - shared).fill('..'), ...to.slice(shared)].join('/');
 }
+
+/// A file named in the open project, as the server names it.
+export const inFolder = (name: string): string => {
+  const parts = [...folderOf(file.value ?? ''), ...name.split('/')];
+  return parts.reduce<string[]>((path, part) => (part === '..' ? path.slice(0, -1) : [...path, part]), []).join('/');
+};
 
 /// Uploads a file next to a project and returns its name, or the name of an existing file that the user prefers; null if
 /// the user cancels.
