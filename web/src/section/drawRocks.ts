@@ -7,7 +7,8 @@ import { pixelOf, type Frame } from './frame';
 import type { Look } from './drawGround';
 import type { SectionBlocks } from './sectionBlocks';
 import { colourOf, isDark } from '../view/colours';
-import { drawPath, rockColours, type PathsToDraw } from './pathLayer';
+import { drawPath, type PathsToDraw } from './pathLayer';
+import { rockColours } from '../paths/rockColours';
 
 type Pen = CanvasRenderingContext2D;
 

@@ -1,9 +1,9 @@
 // Trajectories on a separate canvas. It is redrawn only when the view or the colours change, a few milliseconds at a time,
 // so that ten thousand trajectories do not block the page.
 
-import { colourAt, cssOf, restColour } from '../view/colours';
 import { runColour } from '../view/theme';
 import type { Colouring } from '../paths/colouring';
+import { colourNumbers } from '../paths/rockColours';
 import type { DrawnPaths } from '../paths/drawnPaths';
 import { nearestRock } from '../paths/nearestRock';
 import { pixelOf, type Frame } from './frame';
@@ -16,29 +16,9 @@ export interface PathsToDraw extends ComparedToDraw {
   colouring: Colouring;
 }
 
-const shades = 48; // number of colours of a scale
 const budget = 10; // ms at a time
 
 type Pen = CanvasRenderingContext2D;
-
-/// The index of each point's colour, and the colours.
-function colourNumbers(colouring: Colouring): { of: (point: number, rock: number) => number; css: string[] } {
-  if (colouring.kind === 'run') return { of: () => 0, css: [colouring.colour] };
-  if (colouring.kind === 'kinds') return { of: (_, rock) => colouring.numbers[rock]!, css: colouring.colours };
-  const { values, low, high, ramp } = colouring;
-  const css = Array.from({ length: shades }, (_, k) => cssOf(colourAt(ramp, k / (shades - 1))));
-  const of = (point: number) => {
-    const share = (values[point]! - low) / (high - low || 1);
-    return Number.isNaN(share) ? 0 : Math.max(0, Math.min(shades - 1, Math.round(share * (shades - 1))));
-  };
-  return { of, css };
-}
-
-/// The colour of a rock at a point of its trajectory; null: at its end point.
-export function rockColours(colouring: Colouring): (point: number | null, rock: number) => string {
-  const { of, css } = colourNumbers(colouring);
-  return (point, rock) => (point === null && colouring.kind === 'scale' ? restColour : css[of(point ?? 0, rock)]!);
-}
 
 export function drawPath(pen: Pen, frame: Frame, paths: DrawnPaths, rock: number, colour: (point: number) => string) {
   const [first, end] = [paths.starts[rock]!, paths.starts[rock + 1]!];

@@ -5,7 +5,7 @@ import type { Traces } from '../figures/profile';
 import { colouring } from '../paths/colouring';
 import { shownPaths } from '../paths/drawnPaths';
 import { shownPassing } from '../paths/shownPassing';
-import { rockColours } from '../section/pathLayer';
+import { rockColours } from '../paths/rockColours';
 import { corridorWidth } from '../view/settings';
 import { pathsInCorridor, type CorridorPaths } from './corridor';
 import { sectionLine } from './sectionLine';
