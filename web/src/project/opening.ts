@@ -6,7 +6,7 @@ import type { ProjectText } from '../api/types';
 import { about, storageKey } from '../state/about';
 import { begin, file, leave, replaceText, restored, savedHash } from './document';
 import { discard, draftsAside, recordDraft, storeHere, storeNow } from './drafts';
-import { storeThumbnail } from '../view/thumbnail';
+import { storeThumbnail } from './thumbnail';
 import { setKnownFile } from './fileOnDisk';
 import { localDraftsOf } from './localDrafts';
 import { choiceOf, type LocalDraft } from './revisions';

@@ -14,7 +14,8 @@ import { RunScene } from './runScene';
 import { animatedScene, scenePicture } from './scenePrint';
 import { SourceScene } from './sourceScene';
 import { offerSheet } from '../view/sheet';
-import { offerThumbnail } from '../view/thumbnail';
+import { offerThumbnail } from '../project/thumbnail';
+import { thumbnailOf } from '../view/thumbnail';
 import { sceneThumbnail } from './sceneThumbnail';
 
 export interface OpenScene {
@@ -42,7 +43,7 @@ export function openScene(host: HTMLElement): OpenScene {
     if (chosenRock.value === null) choose(pointing.thingAt(event) ?? chosen.value);
   };
   const endHandles = showHandles();
-  const endOffering = offerThumbnail(() => sceneThumbnail(scene));
+  const endOffering = offerThumbnail(() => thumbnailOf(() => sceneThumbnail(scene)));
   const endSheet = offerSheet(() => scenePicture(scene));
   return {
     scene,

@@ -6,7 +6,8 @@ import { model } from '../project/model';
 import { Legends } from '../view/Legend';
 import { showRock } from '../runs/chosenRock';
 import { offerSheet } from '../view/sheet';
-import { offerThumbnail } from '../view/thumbnail';
+import { offerThumbnail } from '../project/thumbnail';
+import { thumbnailOf } from '../view/thumbnail';
 import { frame } from './framed';
 import { blockUnder, keepDrawn, pathsToDraw, pointer } from './picture';
 import { listen } from './pointing';
@@ -52,7 +53,7 @@ export function SectionView() {
   const canvas = useRef<HTMLCanvasElement>(null);
   useEffect(() => {
     const endDrawing = keepDrawn(host.current!, canvas.current!);
-    const endOffering = offerThumbnail(sectionThumbnail);
+    const endOffering = offerThumbnail(() => thumbnailOf(sectionThumbnail));
     const endSheet = offerSheet(sectionPicture);
     const endListening = listen(canvas.current!, (event) => selectRock(canvas.current!, event), (event) => rockOf(canvas.current!, event));
     return () => {
