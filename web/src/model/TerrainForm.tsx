@@ -1,7 +1,7 @@
 // The terrain: its kind, its files or vertices, and its rotation.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { takeDropped, takeStored } from '../layers/dropped';
+import { takeDropped, takeStored } from '../dropped/dropped';
 import { edit, file } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { model } from '../project/model';

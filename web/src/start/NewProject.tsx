@@ -5,7 +5,7 @@ import { chosenFiles, files, uploadFiles } from '../project/files';
 import { endingsOf } from '../settings/fileEndings';
 import { terrainAmong, terrainOfFile } from '../project/terrainFile';
 import { api } from '../api/client';
-import { isTableOrLines, takeStored } from '../layers/dropped';
+import { isTableOrLines, takeStored } from '../dropped/dropped';
 import { localDrafts } from '../project/localDrafts';
 import { notify, reportFailure } from '../state/messages';
 import { start } from '../project/opening';

@@ -2,7 +2,7 @@
 
 import { Dialog } from '../ui/Dialog';
 import { dropped, useDropped } from './dropped';
-import './layers.css';
+import './dropped.css';
 
 export function DropDialog() {
   const now = dropped.value;
