@@ -8,7 +8,7 @@ import { goToAddress, listenToHistory } from './history';
 import { reportFailure } from '../state/messages';
 import { lastOpen, open } from '../project/opening';
 import { follow } from '../runs/runs';
-import { ReplaceDialog } from '../model/ReplaceDialog';
+import { ReplaceDialog } from '../forms/ReplaceDialog';
 import { StartPage } from '../start/StartPage';
 import { Messages } from './Messages';
 import { Workbench } from './Workbench';

@@ -2,7 +2,7 @@
 
 import { useState } from 'preact/hooks';
 import { hasMoreFiles } from '../project/files';
-import { MoreFiles } from '../model/MoreFiles';
+import { MoreFiles } from '../forms/MoreFiles';
 import { stateText } from '../runList/RunStateText';
 import { reportFailure } from '../state/messages';
 import { open } from '../project/opening';

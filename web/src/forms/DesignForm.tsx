@@ -1,6 +1,6 @@
 import { edit, values } from '../project/document';
 import { defaultOf } from '../settings/names';
-import { TableForm } from './form/TableForm';
+import { TableForm } from './fields/TableForm';
 
 /// The barrier design, which is optional: it is made if the project has its table.
 export function DesignForm() {

@@ -3,12 +3,12 @@
 import { useEffect, useLayoutEffect, useRef } from 'preact/hooks';
 import { rowsOf } from '../project/document';
 import { choose, chosen } from '../project/chosen';
-import { explainsAll, toggleExplaining } from './form/explaining';
+import { explainsAll, toggleExplaining } from './fields/explaining';
 import type { Path, TableName } from '../settings/names';
 import { DocumentDialog } from '../help/Document';
 import { DraftNotice } from './DraftNotice';
-import { TableForm } from './form/TableForm';
-import { Words } from './form/Words';
+import { TableForm } from './fields/TableForm';
+import { Words } from './fields/Words';
 import { tableOf } from '../settings/declared';
 import { sectionOf } from '../settings/sections';
 import { Outline } from './Outline';
