@@ -3,7 +3,7 @@
 import { Box3, Vector3 } from 'three';
 import { bestBox, heightOf, widthOf, type Box, type Placed } from '../geometry/framing';
 import type { Pixel } from '../geometry/nearness';
-import { outermost } from '../geometry/outermost';
+import { outermost } from './outermost';
 import type { Stage } from './stage';
 
 export const namedViews = {
