@@ -9,5 +9,5 @@ export default defineConfig({
   root: web,
   server: { fs: { allow: [fileURLToPath(new URL('../../', import.meta.url))] } },
   // Files share their modules, as they do in the page: to load them anew for each file takes six times as long.
-  test: { include: ['src/**/*.test.ts'], cache: false, isolate: false, setupFiles: [support('storage.ts')] },
+  test: { include: ['*.test.ts', 'src/**/*.test.ts'], cache: false, isolate: false, setupFiles: [support('storage.ts')] },
 });

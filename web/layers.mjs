@@ -1,0 +1,115 @@
+// The layers of src, from low to high, and the check that no import points upward: a folder imports from lower layers, and
+// from folders of its own layer without circles. Some libraries are known to few folders. `node layers.mjs` names every
+// import that breaks this.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join, posix } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import ts from 'typescript';
+
+export const layers = [
+  { name: 'values', folders: ['generated', 'geometry', 'toml', 'units', 'settings'] },
+  { name: 'figures', folders: ['figures'] },
+  { name: 'server', folders: ['api'] },
+  { name: 'state', folders: ['state', 'project', 'runs'] },
+  { name: 'controls', folders: ['ui', 'charts'] },
+  { name: 'drawing', folders: ['view', 'tools', 'drag', 'layers', 'maps', 'paths', 'animation'] },
+  {
+    name: 'panels',
+    folders: ['help', 'runList', 'results', 'sectionLine', 'askLine', 'calibration', 'slopeTools', 'dropped', 'forms', 'start'],
+  },
+  { name: 'views', folders: ['scene', 'section'] },
+  { name: 'page', folders: ['page'] },
+];
+
+const foldersFrom = (/** @type {string} */ lowest) =>
+  layers.slice(layers.findIndex(({ name }) => name === lowest)).flatMap(({ folders }) => folders);
+
+/// The folders that know a library, by the beginning of its name.
+/** @type {Record<string, readonly string[]>} */
+export const libraries = { preact: foldersFrom('controls'), 'd3-': ['figures'], three: ['scene'] };
+
+/// An import by a file of src, such as "view/sheet", of another file there or of a library.
+/// @typedef {{ from: string, to: string } | { from: string, library: string }} Import
+
+const folderOf = (/** @type {string} */ file) => file.slice(0, file.indexOf('/'));
+
+/// What is wrong with imports and with the list of folders that exist, one sentence each.
+/// @param {readonly Import[]} imports
+/// @param {readonly string[]} folders
+export function objections(imports, folders, rules = layers) {
+  const levels = new Map(rules.flatMap(({ folders: own }, level) => own.map((folder) => [folder, level])));
+  const found = [
+    ...folders.filter((folder) => !levels.has(folder)).map((folder) => `${folder} is in no layer (web/layers.mjs)`),
+    ...[...levels.keys()]
+      .filter((folder) => !folders.includes(folder))
+      .map((folder) => `the layer of ${folder} is declared, but there is no such folder`),
+  ];
+  /** @type {Map<string, Set<string>>} */
+  const beside = new Map(folders.map((folder) => [folder, new Set()]));
+  for (const { from, ...what } of imports) {
+    const own = folderOf(from);
+    if ('library' in what) {
+      const [, few] = Object.entries(libraries).find(([name]) => what.library.startsWith(name)) ?? [];
+      if (few && !few.includes(own)) found.push(`${from} imports ${what.library}, which only ${few.join(', ')} may know`);
+      continue;
+    }
+    const { to } = what;
+    const other = folderOf(to);
+    const [level, above] = [levels.get(own) ?? 0, levels.get(other) ?? 0];
+    if (above > level) found.push(`${from} imports ${to}: ${rules[level].name} may not know ${rules[above].name}`);
+    else if (own !== other && above === level) beside.get(own)?.add(other);
+  }
+  const circle = circleIn(beside);
+  if (circle) found.push(`the folders of a layer import each other in a circle: ${circle.join(' -> ')}`);
+  return found;
+}
+
+/// The folders on a circle of imports, the first one also at its end; null where there is none.
+/// @param {ReadonlyMap<string, ReadonlySet<string>>} beside
+/// @returns {string[] | null}
+function circleIn(beside) {
+  const done = new Set();
+  /** @type {(folder: string, way: string[]) => string[] | null} */
+  const walk = (folder, way) => {
+    if (way.includes(folder)) return [...way.slice(way.indexOf(folder)), folder];
+    if (done.has(folder)) return null;
+    for (const next of beside.get(folder) ?? []) {
+      const circle = walk(next, [...way, folder]);
+      if (circle) return circle;
+    }
+    done.add(folder);
+    return null;
+  };
+  for (const folder of beside.keys()) {
+    const circle = walk(folder, []);
+    if (circle) return circle;
+  }
+  return null;
+}
+
+/// The imports of a file of src.
+/// @returns {Import[]}
+export function importsOf(/** @type {string} */ file, /** @type {string} */ text) {
+  const from = file.replace(/\.tsx?$/, '');
+  const named = ts.preProcessFile(text).importedFiles.map(({ fileName }) => fileName);
+  return named.map((name) => (name.startsWith('.') ? { from, to: posix.join(posix.dirname(file), name) } : { from, library: name }));
+}
+
+/// All that is wrong in src.
+export function objectionsToSource() {
+  const source = fileURLToPath(new URL('./src/', import.meta.url));
+  const files = readdirSync(source, { recursive: true, encoding: 'utf8' }).filter((file) => /\.tsx?$/.test(file));
+  const folders = [...new Set(files.filter((file) => file.includes('/')).map(folderOf))];
+  // main.tsx, which starts the page, is above all folders.
+  const imports = files
+    .filter((file) => file !== 'main.tsx')
+    .flatMap((file) => importsOf(file, readFileSync(join(source, file), 'utf8')));
+  return { count: imports.length, found: objections(imports, folders) };
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const { found } = objectionsToSource();
+  for (const sentence of found) console.error(sentence);
+  process.exitCode = found.length > 0 ? 1 : 0;
+}
