@@ -7,6 +7,7 @@ import type { RunMap } from '../api/types';
 import { reportFailure } from '../state/messages';
 import { hasResults, shown } from '../runs/runs';
 import { kept } from '../state/kept';
+import { owned } from '../state/owned';
 import { ofProject } from '../project/ofProject';
 import { displayOf, unitSystem } from '../state/displayUnits';
 import { displayedIn } from '../units/units';
@@ -31,14 +32,9 @@ export interface ShownMap {
 /// The maximum number of cells along the longer side.
 const pixels = 1024;
 
-const draped = ofProject<string | null>(null);
 /// The name of the map that is draped over the terrain.
-export const drapedMap: ReadonlySignal<string | null> = draped;
-export const drape = (name: string | null) => void (draped.value = name);
-
-const opacity = kept('opacity of the map', 1);
-export const drapedOpacity: ReadonlySignal<number> = opacity;
-export const setOpacity = (next: number) => void (opacity.value = next);
+export const [drapedMap, drape] = owned(ofProject<string | null>(null));
+export const [drapedOpacity, setOpacity] = owned(kept('opacity of the map', 1));
 
 const loaded = signal<ShownMap | null>(null);
 /// The draped map, once it is loaded.

@@ -2,10 +2,10 @@
 
 import { OverMap } from '../maps/OverMap';
 import { shownMap } from '../maps/shownMap';
-import { layers, pathColour, type PathColour } from '../view/settings';
+import { layers, showLayer } from '../view/settings';
 import { Popover } from '../ui/Popover';
 import { counted } from '../units/numbers';
-import { pathColours } from './colouring';
+import { colourBy, pathColour, pathColours, type PathColour } from './colouring';
 import { comparedPaths, shownPaths } from './drawnPaths';
 
 export function PathChoices() {
@@ -15,7 +15,7 @@ export function PathChoices() {
   return (
     <Popover title="Trajectories">
       <label>
-        <input type="checkbox" checked={layers.paths.value} onChange={(event) => (layers.paths.value = event.currentTarget.checked)} />
+        <input type="checkbox" checked={layers.paths.value} onChange={(event) => showLayer('paths', event.currentTarget.checked)} />
         Show trajectories
       </label>
       {shownMap.value && <OverMap />}
@@ -23,7 +23,7 @@ export function PathChoices() {
         <legend>{comparedPaths.value ? 'Coloured by run while two runs are compared' : 'Coloured by'}</legend>
         {(Object.keys(pathColours) as PathColour[]).map((by) => (
           <label key={by}>
-            <input type="radio" name="path colour" checked={pathColour.value === by} onChange={() => (pathColour.value = by)} />
+            <input type="radio" name="path colour" checked={pathColour.value === by} onChange={() => colourBy(by)} />
             {pathColours[by]}
           </label>
         ))}

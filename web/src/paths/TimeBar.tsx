@@ -1,9 +1,8 @@
 // Playback of the shown run, synchronized between views.
 
 import { counted, numberText } from '../units/numbers';
-import { playbackSpeed } from '../view/settings';
 import { shownPaths, type SoFar } from './drawnPaths';
-import { endTime, goTo, isPlaying, pause, play, speeds, time } from './playback';
+import { endTime, goTo, isPlaying, pause, play, playbackSpeed, setSpeed, speeds, time } from './playback';
 import './timeBar.css';
 
 function key(event: KeyboardEvent) {
@@ -55,7 +54,7 @@ export function TimeBar() {
       <select
         aria-label="Playback speed"
         value={playbackSpeed.value}
-        onChange={(event) => (playbackSpeed.value = Number(event.currentTarget.value))}
+        onChange={(event) => setSpeed(Number(event.currentTarget.value))}
       >
         {speeds.map((factor) => (
           <option key={factor} value={factor}>

@@ -2,11 +2,15 @@
 
 import { computed } from '@preact/signals';
 import { categoryColour, pathRamp, type Ramp } from '../view/colours';
-import { pathColour, type PathColour } from '../view/settings';
+import { keptOfProject } from '../project/ofProject';
 import { runColour, shade } from '../view/theme';
 import { displayOf } from '../state/displayUnits';
+import { owned } from '../state/owned';
 import { roundUp } from '../geometry/ticks';
 import { comparedPaths, shownPaths, type DrawnPaths } from './drawnPaths';
+
+export type PathColour = 'speed' | 'energy' | 'height' | 'source' | 'seeder' | 'reason';
+export const [pathColour, colourBy] = owned(keptOfProject<PathColour>('path colour', 'speed'));
 
 export const pathColours: Record<PathColour, string> = {
   speed: 'Speed',

@@ -2,10 +2,13 @@
 
 import { computed, effect, signal, untracked } from '@preact/signals';
 import { startedHere } from '../runs/runs';
-import { playbackSpeed } from '../view/settings';
+import { kept } from '../state/kept';
+import { owned } from '../state/owned';
 import { shownPaths } from './drawnPaths';
 
 export const speeds = [0.25, 0.5, 1, 2, 4, 8];
+/// Simulated seconds per second of playback.
+export const [playbackSpeed, setSpeed] = owned(kept('view playback speed', 1));
 
 /// The time at which the last rock stops [s].
 export const endTime = computed(() => {

@@ -1,14 +1,12 @@
 // The selected entry of the project: its form is open, and the views highlight it.
 
-import type { ReadonlySignal } from '@preact/signals';
 import type { Path } from '../settings/names';
+import { owned } from '../state/owned';
 import { showPanel } from '../state/panels';
 import { ofProject } from './ofProject';
 
-const path = ofProject<Path | null>(null);
 /// Its path, such as ["seeder", 0].
-export const chosen: ReadonlySignal<Path | null> = path;
-export const choose = (next: Path | null) => void (path.value = next);
+export const [chosen, choose] = owned(ofProject<Path | null>(null));
 
 /// Opens its form in the panel at the left.
 export function openForm(next: Path | null) {

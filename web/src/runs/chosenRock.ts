@@ -1,12 +1,10 @@
 // The selected rock of the shown run, by its number.
 
-import type { ReadonlySignal } from '@preact/signals';
 import { ofProject } from '../project/ofProject';
+import { owned } from '../state/owned';
 import { showTab } from '../state/panels';
 
-const number = ofProject<number | null>(null);
-export const chosenRock: ReadonlySignal<number | null> = number;
-export const chooseRock = (next: number | null) => void (number.value = next);
+export const [chosenRock, chooseRock] = owned(ofProject<number | null>(null));
 
 /// Selects a rock and turns to its tab; null deselects.
 export function showRock(next: number | null) {

@@ -1,6 +1,6 @@
 // The runs and calibrations of all projects, as reported by the server.
 
-import { computed, effect, signal, type ReadonlySignal } from '@preact/signals';
+import { computed, effect, signal } from '@preact/signals';
 import { api } from '../api/client';
 import { leftOut } from '../project/leftOut';
 import type { Run } from '../api/types';
@@ -10,6 +10,7 @@ import { attempt, notify, reportFailure, resolve } from '../state/messages';
 import { rebuild } from '../project/model';
 import { ofProject } from '../project/ofProject';
 import { subscribe } from '../state/news';
+import { owned } from '../state/owned';
 
 const all = signal<Run[]>([]);
 export const runs = computed(() => all.value.filter(({ kind }) => kind === 'run'));
@@ -18,10 +19,8 @@ const chosenCalibration = signal<string | null>(null); // null: the newest with 
 export const showCalibration = (id: string) => void (chosenCalibration.value = id);
 const [shownRun, comparedRun] = [signal<string | null>(null), signal<string | null>(null)];
 /// The shown run, and the one compared with it.
-export const shownId: ReadonlySignal<string | null> = shownRun;
-export const comparedId: ReadonlySignal<string | null> = comparedRun;
-export const show = (id: string | null) => void (shownRun.value = id);
-export const compareWith = (id: string | null) => void (comparedRun.value = id);
+export const [shownId, show] = owned(shownRun);
+export const [comparedId, compareWith] = owned(comparedRun);
 /// Runs started on this page that were not played yet.
 export const startedHere = new Set<string>();
 export const isConnected = signal(true);

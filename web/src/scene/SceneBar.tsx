@@ -1,7 +1,7 @@
 // The toolbar of the scene.
 
 import { AnimationButton } from '../animation/AnimationButton';
-import { contours, exaggeration, shading, type Shading } from '../view/settings';
+import { contours, exaggeration, setContours, setExaggeration, setShading, shading, type Shading } from '../view/settings';
 import { AskButton } from '../askLine/AskButton';
 import { FilterChoices } from '../paths/FilterChoices';
 import { PathChoices } from '../paths/PathChoices';
@@ -38,18 +38,18 @@ export function SceneBar({ open }: { open: OpenScene }) {
           <legend>Shaded by</legend>
           {(Object.keys(shadings) as Shading[]).map((how) => (
             <label key={how}>
-              <input type="radio" name="shading" checked={shading.value === how} onChange={() => (shading.value = how)} />
+              <input type="radio" name="shading" checked={shading.value === how} onChange={() => setShading(how)} />
               {shadings[how]}
             </label>
           ))}
         </fieldset>
         <label>
-          <input type="checkbox" checked={contours.value} onChange={(event) => (contours.value = event.currentTarget.checked)} />
+          <input type="checkbox" checked={contours.value} onChange={(event) => setContours(event.currentTarget.checked)} />
           Contour lines
         </label>
         <label>
           Vertical exaggeration
-          <select value={exaggeration.value} onChange={(event) => (exaggeration.value = Number(event.currentTarget.value))}>
+          <select value={exaggeration.value} onChange={(event) => setExaggeration(Number(event.currentTarget.value))}>
             {stretches.map((factor) => (
               <option key={factor} value={factor}>
                 {factor}

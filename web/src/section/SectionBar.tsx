@@ -8,7 +8,7 @@ import { SlopeButton } from '../slopeTools/SlopeButton';
 import { saveSheet } from '../view/sheet';
 import { DistanceButton } from '../tools/DistanceButton';
 import { LayerChoices } from '../layers/LayerChoices';
-import { equalAxes } from '../view/settings';
+import { equalAxes, setEqualAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
 import { zoomed } from './frame';
 import { fit, frame } from './framed';
@@ -34,7 +34,7 @@ export function SectionBar() {
       <button class="button icon" aria-label="Zoom out" title="Zoom out (−)" onClick={() => zoom(0.8)}>
         −
       </button>
-      <button class="button" aria-pressed={equalAxes.value} title="The same scale on both axes" onClick={() => (equalAxes.value = !equalAxes.value)}>
+      <button class="button" aria-pressed={equalAxes.value} title="The same scale on both axes" onClick={() => setEqualAxes(!equalAxes.value)}>
         Equal axes
       </button>
       <PathChoices />

@@ -3,7 +3,7 @@
 import { filter, isFiltering } from '../runs/filter';
 import { displayOf } from '../state/displayUnits';
 import { counted } from '../units/numbers';
-import { corridorWidth, sectionEnvelope } from '../view/settings';
+import { corridorWidth, sectionEnvelope, setCorridorWidth, showEnvelope, type SectionEnvelope } from './corridorSettings';
 import { corridorPaths, drawnCount } from './corridorTraces';
 import { envelopeChoices } from './stations';
 
@@ -23,7 +23,7 @@ export function CorridorChoices() {
           value={corridorWidth.value}
           onChange={(event) => {
             const value = event.currentTarget.valueAsNumber;
-            if (value > 0) corridorWidth.value = value;
+            if (value > 0) setCorridorWidth(value);
             else event.currentTarget.value = String(corridorWidth.value);
           }}
         />
@@ -33,7 +33,7 @@ export function CorridorChoices() {
         Envelope
         <select
           value={sectionEnvelope.value}
-          onChange={(event) => (sectionEnvelope.value = event.currentTarget.value as typeof sectionEnvelope.value)}
+          onChange={(event) => showEnvelope(event.currentTarget.value as SectionEnvelope)}
         >
           <option value="">none</option>
           {Object.entries(envelopeChoices).map(([key, { title, unit }]) => (

@@ -14,7 +14,7 @@ import { copyRows, fileName } from '../charts/save';
 import { fileStem } from '../project/document';
 import { notify, reportFailure, resolve } from '../state/messages';
 import { counted, numberText } from '../units/numbers';
-import { equalAxes } from '../view/settings';
+import { equalAxes, setEqualAxes } from '../view/settings';
 import { CorridorChoices } from './CorridorChoices';
 import { corridorTraces } from './corridorTraces';
 import { equalRanges, gapsOf } from './groundSection';
@@ -88,7 +88,7 @@ function Plot({ of }: { of: GroundSection }) {
           <>
             {shownPaths.value && <CorridorChoices />}
             <label class="choice" title="The same scale on both axes">
-              <input type="checkbox" checked={isEqual} onChange={(event) => (equalAxes.value = event.currentTarget.checked)} />
+              <input type="checkbox" checked={isEqual} onChange={(event) => setEqualAxes(event.currentTarget.checked)} />
               Equal axes
             </label>
             <span class="chart-buttons">

@@ -6,7 +6,7 @@ import { colouring } from '../paths/colouring';
 import { shownPaths } from '../paths/drawnPaths';
 import { shownPassing } from '../paths/shownPassing';
 import { rockColours } from '../paths/rockColours';
-import { corridorWidth } from '../view/settings';
+import { corridorWidth } from './corridorSettings';
 import { pathsInCorridor, type CorridorPaths } from './corridor';
 import { sectionLine } from './sectionLine';
 

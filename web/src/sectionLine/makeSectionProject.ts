@@ -5,7 +5,7 @@ import { freshStem, openDerived } from '../project/derivedProject';
 import { file, fileStem, text, values } from '../project/document';
 import { notify } from '../state/messages';
 import { model } from '../project/model';
-import { corridorWidth } from '../view/settings';
+import { corridorWidth } from './corridorSettings';
 import { longestPart, sectionProject } from './sectionProject';
 
 export async function makeSectionProject(section: GroundSection, line: readonly Point2[]) {

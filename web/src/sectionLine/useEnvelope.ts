@@ -5,7 +5,7 @@ import { asking } from '../api/line';
 import { useRemote } from '../ui/remote';
 import { displayOf, unitSystem } from '../state/displayUnits';
 import { hasResults, shown } from '../runs/runs';
-import { corridorWidth, sectionEnvelope } from '../view/settings';
+import { corridorWidth, sectionEnvelope } from './corridorSettings';
 import { sectionLine } from './sectionLine';
 import { envelopeChoices, envelopeOf, stationsAlong } from './stations';
 

@@ -1,7 +1,6 @@
 // Whether the start page shows the verification cases.
 
-import { signal, type ReadonlySignal } from '@preact/signals';
+import { signal } from '@preact/signals';
+import { owned } from '../state/owned';
 
-const shown = signal(false);
-export const verifying: ReadonlySignal<boolean> = shown;
-export const showVerification = (shows: boolean) => void (shown.value = shows);
+export const [verifying, showVerification] = owned(signal(false));

@@ -1,7 +1,7 @@
 // The panel at the left, and the tab and height of the results below the view. Their names are also those in addresses.
 
-import type { ReadonlySignal } from '@preact/signals';
 import { kept } from './kept';
+import { owned } from './owned';
 
 export const sidePanels = ['model', 'runs', 'calibrate', 'text'] as const;
 export type SidePanel = (typeof sidePanels)[number];
@@ -21,19 +21,11 @@ export const resultsTabs = [
 ] as const;
 export type ResultsTab = (typeof resultsTabs)[number];
 
-const side = kept<SidePanel>('side panel', 'model');
-export const sidePanel: ReadonlySignal<SidePanel> = side;
-export const showPanel = (panel: SidePanel) => void (side.value = panel);
+export const [sidePanel, showPanel] = owned(kept<SidePanel>('side panel', 'model'));
 
-const tab = kept<ResultsTab>('results tab', 'overview');
-export const resultsTab: ReadonlySignal<ResultsTab> = tab;
-export const showTab = (name: ResultsTab) => void (tab.value = name);
-
-const isOpen = kept('results open', true);
-export const resultsOpen: ReadonlySignal<boolean> = isOpen;
-export const openResults = (opens = true) => void (isOpen.value = opens);
-
-const share = kept('results share', 0.34);
+export const [resultsTab, showTab] = owned(kept<ResultsTab>('results tab', 'overview'));
+const [isOpen, setOpen] = owned(kept('results open', true));
+export const resultsOpen = isOpen;
+export const openResults = (opens = true) => setOpen(opens);
 /// The height of the results, as a share of the window's.
-export const resultsShare: ReadonlySignal<number> = share;
-export const setResultsShare = (next: number) => void (share.value = next);
+export const [resultsShare, setResultsShare] = owned(kept('results share', 0.34));

@@ -5,7 +5,7 @@ import type { Model } from '../api/types';
 import { useTool } from './tool';
 import { edit, opening, valueAt } from '../project/document';
 import { model } from '../project/model';
-import { shading } from '../view/settings';
+import { setShading } from '../view/settings';
 import { draw } from './drawing';
 import { materialsWith } from '../settings/groundWays';
 import { onPlan } from './geometryTools';
@@ -52,7 +52,7 @@ export async function assignByClicks(material: number) {
   const hasSegments = Array.isArray(tableAt(['terrain']).section);
   const facets = now.dimension === 3 ? await facetsOf(now) : await segmentsOf(now);
   if (opening.value !== asked || !isPossible()) return;
-  shading.value = 'material';
+  setShading('material');
   useTool({
     name,
     isPossible,
@@ -69,7 +69,7 @@ export async function assignByClicks(material: number) {
 /// Draws an area of the material on plan.
 export function paintArea(material: number) {
   const name = nameOf('material', material);
-  shading.value = 'material';
+  setShading('material');
   draw({
     name,
     kind: 'polygon',

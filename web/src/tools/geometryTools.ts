@@ -5,7 +5,7 @@ import { edit, valueAt, values } from '../project/document';
 import { model } from '../project/model';
 import type { Path, TableName } from '../settings/names';
 import type { TomlValue } from '../toml/format';
-import { shading } from '../view/settings';
+import { setShading } from '../view/settings';
 import { consequences } from '../settings/consequences';
 import { draw, type Drawing } from './drawing';
 import { entriesUnchanged, is2d, tableAt, thingOf } from '../project/place';
@@ -97,7 +97,7 @@ export function drawable(path: Path): Drawable | null {
     return {
       title: 'Draw in the view',
       start: () => {
-        shading.value = 'material';
+        setShading('material');
         drawIt({
           name: thing,
           kind: 'polygon',

@@ -1,6 +1,7 @@
 // How large and from where the scene shows the ground.
 
-import { signal, type ReadonlySignal } from '@preact/signals';
+import { signal } from '@preact/signals';
+import { owned } from '../state/owned';
 
 interface SceneCamera {
   metresPerPixel: number;
@@ -8,6 +9,4 @@ interface SceneCamera {
   heading: number;
 }
 
-const camera = signal<SceneCamera>({ metresPerPixel: 1, heading: 0 });
-export const sceneCamera: ReadonlySignal<SceneCamera> = camera;
-export const setSceneCamera = (next: SceneCamera) => void (camera.value = next);
+export const [sceneCamera, setSceneCamera] = owned(signal<SceneCamera>({ metresPerPixel: 1, heading: 0 }));
