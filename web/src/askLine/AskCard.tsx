@@ -3,7 +3,7 @@
 import { useEffect, useRef } from 'preact/hooks';
 import type { LineAnswer, PolygonAnswer } from '../api/line';
 import { tool } from '../tools/tool';
-import { crossingRocks, filter } from '../runs/filter';
+import { crossingRocks, filter, filterBy } from '../runs/filter';
 import { hasResults, shown } from '../runs/runs';
 import { answer, asked, isWaiting, openCard, refusal } from './asked';
 import { AskedChoices } from './AskedChoices';
@@ -28,7 +28,7 @@ function OnlyThese({ what }: { what: string }) {
         type="checkbox"
         checked={isOn}
         disabled={!answer.value || !crossingRocks.value}
-        onChange={(event) => (filter.value = { ...filter.value, crossing: event.currentTarget.checked ? (answer.value?.selection ?? null) : null })}
+        onChange={(event) => filterBy({ crossing: event.currentTarget.checked ? (answer.value?.selection ?? null) : null })}
       />
       Only rocks that {what}
     </label>

@@ -5,7 +5,7 @@ import { batch, computed, effect, signal, type ReadonlySignal } from '@preact/si
 import { asking, type AskedAnswer, type Question } from '../api/line';
 import type { Point2, Run } from '../api/types';
 import { recordBeside, opening } from '../project/document';
-import { crossingRocks, filter } from '../runs/filter';
+import { filter, filterBy, setCrossingRocks } from '../runs/filter';
 import { keptOfProject, ofProject } from '../project/ofProject';
 import { hasResults, shown } from '../runs/runs';
 import { askedOf, missingPoints, shapeOf, textOf, type Asked } from './shape';
@@ -74,8 +74,8 @@ function take(found: AskedAnswer) {
   batch(() => {
     answer.value = found;
     refusal.value = null;
-    crossingRocks.value = new Set(found.crossing_rocks);
-    if (filter.peek().crossing !== null) filter.value = { ...filter.peek(), crossing: found.selection };
+    setCrossingRocks(new Set(found.crossing_rocks));
+    if (filter.peek().crossing !== null) filterBy({ crossing: found.selection });
   });
 }
 
@@ -151,10 +151,10 @@ effect(() => {
   const id = shown.value?.id ?? null;
   const { releases, crossing } = filter.peek();
   if (filteredRun !== null && id !== filteredRun && (releases || crossing))
-    filter.value = { ...filter.peek(), releases: null, crossing: null };
+    filterBy({ releases: null, crossing: null });
   filteredRun = id;
 });
 // Without a question there is no selection.
 effect(() => {
-  if (asked.value === null && filter.peek().crossing !== null) filter.value = { ...filter.peek(), crossing: null };
+  if (asked.value === null && filter.peek().crossing !== null) filterBy({ crossing: null });
 });

@@ -5,7 +5,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { asking, type Releases, type SourceShares } from '../api/line';
 import type { Point3, Run } from '../api/types';
 import { reportFailure } from '../state/messages';
-import { filter } from '../runs/filter';
+import { filter, filterBy } from '../runs/filter';
 import { hasResults, shown } from '../runs/runs';
 import { stopsOf, type LegendData } from '../view/legends';
 import { shareRamp } from '../view/colours';
@@ -119,7 +119,7 @@ export function sourceLegends(): LegendData[] {
 export function toggleRelease(number: number) {
   const now = filter.peek();
   const isOnly = now.releases?.length === 1 && now.releases[0] === number;
-  filter.value = { ...now, releases: isOnly ? null : [number] };
+  filterBy({ releases: isOnly ? null : [number] });
 }
 
 /// "Place 34, Crest: 16 of 20 rocks, 80 %"

@@ -13,6 +13,7 @@ import { model } from '../project/model';
 import type { TomlValue } from '../toml/format';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { roundStep } from '../geometry/ticks';
+import { owned } from '../state/owned';
 import { handles, snapLines, type Handles } from './handles';
 import { movedRow, valueOf } from './shapes';
 import { onGrid, snap, type Target } from './snapping';
@@ -34,7 +35,7 @@ export interface Keys {
 }
 
 /// What is being dragged, in words; null if nothing is.
-export const dragHint = signal<string | null>(null);
+export const [dragHint, showDragHint] = owned(signal<string | null>(null));
 
 const [vertexReach, lineReach] = [9, 6]; // pixels
 
@@ -124,7 +125,7 @@ export class Drag {
       this.points = before.map(([x, y, z]) => [x + dx, y + dy, z]);
       note = `moved by ${dx.toFixed(2)}${is2d.value ? '' : `, ${dy.toFixed(2)}`} m`;
     }
-    dragHint.value = `${this.title}: ${note}`;
+    showDragHint(`${this.title}: ${note}`);
     this.show();
   }
 
@@ -136,7 +137,7 @@ export class Drag {
 
   /// Ends without a change.
   cancel() {
-    dragHint.value = null;
+    showDragHint(null);
     showOverlay('drag', []);
   }
 

@@ -1,7 +1,7 @@
 // Notices about unsaved drafts of earlier sessions and about concurrent changes of the project.
 
-import { file, fileStem, isChanged, replaceText, restored, savedHash, text } from '../project/document';
-import { discard, draftsAside, isChangedElsewhere } from '../project/drafts';
+import { file, fileStem, isChanged, noteRestored, replaceText, restored, savedHash, text } from '../project/document';
+import { discard, dismissElsewhere, draftsAside, isChangedElsewhere } from '../project/drafts';
 import { reportFailure } from '../state/messages';
 import type { LocalDraft } from '../project/revisions';
 import { reload } from '../project/saving';
@@ -28,7 +28,7 @@ const notes = {
 function Restored() {
   const state = restored.value;
   if (state === null || !isChanged.value) return null;
-  const dismiss = () => (restored.value = null);
+  const dismiss = () => noteRestored(null);
   const hasFile = state === 'of an earlier file' || savedHash.value !== null;
   return (
     <div class="problem warning" role="status">
@@ -75,7 +75,7 @@ function Elsewhere() {
       This project is also being edited in another tab or browser. Each keeps its own draft; the second to save is asked
       which version to keep.
       <div class="row">
-        <button class="button" onClick={() => (isChangedElsewhere.value = false)}>
+        <button class="button" onClick={dismissElsewhere}>
           Continue here
         </button>
       </div>

@@ -4,6 +4,7 @@ import type { ComponentChildren, RefObject } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { signal } from '@preact/signals';
 import { reportFailure } from '../state/messages';
+import { owned } from '../state/owned';
 import { Dialog } from '../ui/Dialog';
 import { textOf } from './documents';
 import { blocksOf, sectionOf, spansOf, type Block } from './markdown';
@@ -11,7 +12,7 @@ import type { Topic } from '../settings/schema';
 import './help.css';
 
 /// The topic that is open; null: none.
-export const reading = signal<Topic | null>(null);
+export const [reading, read] = owned(signal<Topic | null>(null));
 
 export function DocumentDialog() {
   const topic = reading.value;
@@ -25,7 +26,7 @@ export function DocumentDialog() {
   if (!topic) return null;
   const shown = isWhole ? blocks : sectionOf(blocks, topic.heading);
   return (
-    <Dialog title={topic.heading.replaceAll('`', '')} close={() => (reading.value = null)}>
+    <Dialog title={topic.heading.replaceAll('`', '')} close={() => read(null)}>
       <div class="document">
         {shown.slice(isWhole ? 0 : 1).map((block, k) => (
           <BlockView key={k} block={block} />

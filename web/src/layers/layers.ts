@@ -4,7 +4,7 @@
 import { computed, effect, signal } from '@preact/signals';
 import { getJson, Refused } from '../api/client';
 import type { Point2, Problem } from '../api/types';
-import { layerProblems, model } from '../project/model';
+import { model, setLayerProblems } from '../project/model';
 import { keptOfProject } from '../project/ofProject';
 import type { LegendData } from '../view/legends';
 import { ownOf, withOwn, type OwnSettings } from './own';
@@ -92,7 +92,7 @@ effect(() => {
 });
 
 effect(() => {
-  layerProblems.value = projectLayers.value.flatMap(({ problems }) => problems.map((problem) => ({ ...problem, severity: 'warning' as const })));
+  setLayerProblems(projectLayers.value.flatMap(({ problems }) => problems.map((problem) => ({ ...problem, severity: 'warning' as const }))));
 });
 
 /// The address of what a layer is drawn from, at the server.

@@ -2,7 +2,7 @@
 
 import { useEffect } from 'preact/hooks';
 import { api } from '../api/client';
-import { about } from '../state/about';
+import { setAbout } from '../state/about';
 import { file } from '../project/document';
 import { goToAddress, listenToHistory } from './history';
 import { reportFailure } from '../state/messages';
@@ -16,7 +16,7 @@ import { listenToKeys } from './keys';
 import { listenToTyping } from '../project/typing';
 
 async function begin() {
-  about.value = await api.about();
+  setAbout(await api.about());
   if (await goToAddress()) return;
   const name = lastOpen();
   if (name !== null) await open(name);

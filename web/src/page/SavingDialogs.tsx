@@ -1,7 +1,7 @@
 import { useState } from 'preact/hooks';
 import { file } from '../project/document';
 import { reportFailure } from '../state/messages';
-import { conflict, overwrite, reload, saveAs, savingAs } from '../project/saving';
+import { askName, conflict, overwrite, reload, saveAs, savingAs, setConflict } from '../project/saving';
 import { Dialog } from '../ui/Dialog';
 
 /// The dialogs of saving.
@@ -15,7 +15,7 @@ export function SavingDialogs() {
 }
 
 function Conflict({ why }: { why: string }) {
-  const close = () => (conflict.value = null);
+  const close = () => setConflict(null);
   const act = (what: () => Promise<unknown>) => {
     close();
     void what().catch(reportFailure);
@@ -35,7 +35,7 @@ function Conflict({ why }: { why: string }) {
           class="button first"
           onClick={() => {
             close();
-            savingAs.value = true;
+            askName(true);
           }}
         >
           Save as…
@@ -50,7 +50,7 @@ function SaveAs() {
   const [exists, setExists] = useState(false);
   // Shown in the dialog, which covers the messages of the page.
   const [failure, setFailure] = useState<string | null>(null);
-  const close = () => (savingAs.value = false);
+  const close = () => askName(false);
   const full = /\.toml$/i.test(name.trim()) ? name.trim() : `${name.trim()}.toml`;
   const act = async (replace: boolean) => {
     setFailure(null);

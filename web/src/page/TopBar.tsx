@@ -1,6 +1,6 @@
 import { file, fileStem, isChanged, redo, redoes, undo, undoes, values } from '../project/document';
 import { close } from '../project/opening';
-import { save, savingAs } from '../project/saving';
+import { askName, save } from '../project/saving';
 import { isBuilding } from '../project/model';
 import { isConnected, running, stop } from '../runs/runs';
 import { displayOf, switchUnits, unitSystem } from '../state/displayUnits';
@@ -64,7 +64,7 @@ export function TopBar() {
       <button class="button" disabled={!isChanged.value} title="Save (Ctrl+S)" onClick={() => void save()}>
         Save
       </button>
-      <button class="button" onClick={() => (savingAs.value = true)}>
+      <button class="button" onClick={() => askName(true)}>
         Save as…
       </button>
       <span class="space" />

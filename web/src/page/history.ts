@@ -4,7 +4,7 @@ import { batch, effect } from '@preact/signals';
 import { schema } from '../generated/schema';
 import type { Path, TableName } from '../settings/names';
 import { afterTyping } from '../project/typing';
-import { camera, wantedCamera } from '../view/camera';
+import { camera, wantCamera, wantedCamera } from '../view/camera';
 import { addressOf, isStep, placeOf, type Place } from './address';
 import { file, fileStem, rowsOf, values } from '../project/document';
 import { reportFailure } from '../state/messages';
@@ -58,7 +58,7 @@ async function goTo(place: Place, moves: boolean) {
     drape(place.map);
     openAsked(place.asked);
     showRuns(place.run, place.compared);
-    if (!isOpen || moves) wantedCamera.value = place.camera;
+    if (!isOpen || moves) wantCamera(place.camera);
   });
 }
 

@@ -1,7 +1,7 @@
 // The rock filter, in a popover of each view's toolbar.
 
 import { useState } from 'preact/hooks';
-import { everyRock, filter, isFiltering } from '../runs/filter';
+import { filter, filterBy, isFiltering, showAllRocks } from '../runs/filter';
 import type { RockFilter } from '../api/results';
 import { counted } from '../units/numbers';
 import { Popover } from '../ui/Popover';
@@ -17,13 +17,12 @@ const titles: Record<ListKey, string> = {
 };
 
 /// Adds or removes a name. All names, or no barrier, are the same as no condition.
-function toggled(key: ListKey, all: string[], name: string): RockFilter {
-  const now = filter.value;
+function toggled(key: ListKey, all: string[], name: string): Partial<RockFilter> {
   const isOfHits = key === 'barriers';
-  const chosen = now[key] ?? (isOfHits ? [] : all);
+  const chosen = filter.peek()[key] ?? (isOfHits ? [] : all);
   const next = chosen.includes(name) ? chosen.filter((other) => other !== name) : all.filter((other) => other === name || chosen.includes(other));
   const isEvery = isOfHits ? next.length === 0 : next.length === all.length;
-  return { ...now, [key]: isEvery ? null : next };
+  return { [key]: isEvery ? null : next };
 }
 
 const mostWithoutSearch = 12; // longer lists have a search field
@@ -51,7 +50,7 @@ function Names({ of, names }: { of: ListKey; names: string[] }) {
       <div class="names">
         {found.slice(0, mostRows).map((name) => (
           <label key={name} title={name}>
-            <input type="checkbox" checked={isChosen(name)} onChange={() => (filter.value = toggled(of, all, name))} />
+            <input type="checkbox" checked={isChosen(name)} onChange={() => filterBy(toggled(of, all, name))} />
             <span>{name}</span>
           </label>
         ))}
@@ -76,7 +75,7 @@ function Energy({ of, title }: { of: 'minEnergy_kJ' | 'maxEnergy_kJ'; title: str
         value={filter.value[of] ?? ''}
         onChange={(event) => {
           const value = event.currentTarget.valueAsNumber;
-          filter.value = { ...filter.value, [of]: Number.isNaN(value) ? null : value };
+          filterBy({ [of]: Number.isNaN(value) ? null : value });
         }}
       />
       kJ
@@ -102,7 +101,7 @@ export function FilterChoices() {
         <Energy of="minEnergy_kJ" title="At least" />
         <Energy of="maxEnergy_kJ" title="At most" />
       </fieldset>
-      <button class="button" disabled={!isFiltering(filter.value)} onClick={() => (filter.value = everyRock)}>
+      <button class="button" disabled={!isFiltering(filter.value)} onClick={() => showAllRocks()}>
         All rocks
       </button>
     </Popover>

@@ -7,6 +7,7 @@ import { edited } from '../toml/edit';
 import { valuesOf } from '../toml/values';
 import type { TomlTable, TomlValue } from '../toml/format';
 import { notify, resolve, resolveAll } from '../state/messages';
+import { owned } from '../state/owned';
 
 /// A change beside the text, such as that of a drawn line, with the functions that undo and redo it.
 interface Beside {
@@ -30,7 +31,7 @@ export const opening = signal(0);
 export const fileStem = () => (file.value ?? '').replace(/^.*\/|\.toml$/g, '');
 export const text = signal('');
 /// The hash of the file that the text is based on or was last saved to; null if it was never saved.
-export const savedHash = signal<string | null>(null);
+export const [savedHash, setSavedHash] = owned(signal<string | null>(null));
 const savedText = signal('');
 const past = signal<Step[]>([]);
 const future = signal<Step[]>([]);
@@ -39,7 +40,7 @@ export const isChanged = computed(() => text.value !== savedText.value || savedH
 export const undoes = computed(() => past.value.at(-1)?.what ?? null);
 export const redoes = computed(() => future.value.at(-1)?.what ?? null);
 /// How the restored draft relates to the file, until the user dismisses the notice; null if there is none.
-export const restored = signal<'of the file' | 'of an earlier file' | 'of a deleted file' | null>(null);
+export const [restored, noteRestored] = owned(signal<'of the file' | 'of an earlier file' | 'of a deleted file' | null>(null));
 
 /// The values of the text; while it is not valid TOML, the last valid ones.
 let last: { opening: number; values: TomlTable } = { opening: 0, values: {} };
@@ -159,8 +160,8 @@ export function begin(name: string, now: string, saved: string, hash: string | n
     past.value = [];
     future.value = [];
     savedText.value = saved;
-    savedHash.value = hash;
-    restored.value = null;
+    setSavedHash(hash);
+    noteRestored(null);
     text.value = now;
   });
   endStep();
@@ -178,9 +179,9 @@ export function leave() {
 export function markSaved(name: string, saved: string, hash: string | null) {
   batch(() => {
     file.value = name;
-    savedHash.value = hash;
+    setSavedHash(hash);
     savedText.value = saved;
-    restored.value = null;
+    noteRestored(null);
   });
   endStep();
 }

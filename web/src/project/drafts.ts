@@ -8,6 +8,7 @@ import { storageKey, workplace } from '../state/about';
 import { file, isChanged, opening, savedHash, text } from './document';
 import { removeLocal, storeLocal } from './localDrafts';
 import { tabOf, type LocalDraft } from './revisions';
+import { owned } from '../state/owned';
 import { writeInTurn } from '../state/writes';
 
 /// Identifies this page until it is reloaded.
@@ -15,9 +16,11 @@ const tab = Math.random().toString(36).slice(2, 12);
 let changes = 0;
 
 /// Whether the open project is also being changed in another tab or browser.
-export const isChangedElsewhere = signal(false);
+const [changedElsewhere, noteElsewhere] = owned(signal(false));
+export const isChangedElsewhere = changedElsewhere;
+export const dismissElsewhere = () => noteElsewhere(false);
 /// Other drafts of the open project, until the user decides about them.
-export const draftsAside = signal<LocalDraft[]>([]);
+export const [draftsAside, setAside] = owned(signal<readonly LocalDraft[]>([]));
 
 /// The server's draft of a project, as far as this tab knows; undefined if uncertain.
 interface Known {
@@ -50,7 +53,7 @@ export const storeHere = (name: string, draft: Draft, of = nextRevision(name)) =
 /// Deletes drafts from the browser.
 export function discard(name: string, drafts: readonly LocalDraft[]) {
   for (const { revision } of drafts) removeLocal(name, tabOf(revision));
-  draftsAside.value = draftsAside.value.filter((draft) => !drafts.includes(draft));
+  setAside(draftsAside.value.filter((draft) => !drafts.includes(draft)));
 }
 
 // Tabs with the same project notify each other of drafts. If one tab deletes the server's draft, others with unsaved
@@ -65,7 +68,7 @@ tabs.onmessage = ({ data }: MessageEvent<DraftNews>) => {
   const name = file.value;
   if (name === null || keyOf(name) !== data.key) return;
   if (!data.isDeleted) {
-    isChangedElsewhere.value = true;
+    noteElsewhere(true);
   } else if (isChanged.value) {
     known.set(name, { ...knownOf(name), draft: undefined });
     void storeNow();
@@ -82,7 +85,7 @@ async function sendDraft(name: string, draft: Draft | null) {
     if (draft) storeHere(name, draft, of);
     else removeLocal(name, tab);
     if (draft && error instanceof Refused && error.status === 409 && name === file.value)
-      isChangedElsewhere.value = true;
+      noteElsewhere(true);
   }
   tabs.postMessage({ key: keyOf(name), isDeleted: draft === null } satisfies DraftNews);
 }
@@ -96,8 +99,8 @@ effect(() => {
 });
 effect(() => {
   void opening.value;
-  isChangedElsewhere.value = false;
-  draftsAside.value = [];
+  noteElsewhere(false);
+  setAside([]);
 });
 
 let timer: ReturnType<typeof setTimeout> | undefined;

@@ -1,7 +1,7 @@
 // Detects changes of the open project's file by other programs, when the page gets the focus and before a run.
 
 import { api, Refused } from '../api/client';
-import { file, isChanged, markSaved, opening, replaceText, restored, savedHash } from './document';
+import { file, isChanged, markSaved, noteRestored, opening, replaceText, savedHash, setSavedHash } from './document';
 import { notify, reportFailure } from '../state/messages';
 import { writeInTurn } from '../state/writes';
 
@@ -25,10 +25,10 @@ const compare = (name: string, asked: number) =>
     if (opening.value !== asked || file.value !== name || saved === savedHash.value || saved === known) return;
     setKnownFile(saved);
     if (saved === null) {
-      savedHash.value = null; // saving creates it again
-      restored.value = 'of a deleted file';
+      setSavedHash(null); // saving creates it again
+      noteRestored('of a deleted file');
     } else if (isChanged.value) {
-      restored.value = 'of an earlier file';
+      noteRestored('of an earlier file');
     } else {
       replaceText(now, 'reload the file');
       markSaved(name, now, saved);

@@ -6,13 +6,14 @@ import type { Model, Problem } from '../api/types';
 import { withoutPlaceholders, withPlaceholders, withTerrainProblems } from './placeholders';
 import { file, text } from './document';
 import { reportFailure, resolve } from '../state/messages';
+import { owned } from '../state/owned';
 
 /// The last model that could be built. While a change is being checked, or if its terrain has errors, it is that of an
 /// earlier text. Other entries with errors are left out.
 export const model = signal<Model | null>(null);
 export const problems = signal<Problem[]>([]);
 /// Of the files of reference layers: warnings, because a run does without them.
-export const layerProblems = signal<Problem[]>([]);
+export const [layerProblems, setLayerProblems] = owned(signal<Problem[]>([]));
 export const isBuilding = signal(false);
 /// Whether the terrain has errors and `model` is that of an earlier text.
 export const isStale = signal(false);

@@ -4,8 +4,8 @@ import { batch, effect } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import type { ProjectText } from '../api/types';
 import { about, storageKey } from '../state/about';
-import { begin, file, leave, replaceText, restored, savedHash } from './document';
-import { discard, draftsAside, recordDraft, storeHere, storeNow } from './drafts';
+import { begin, file, leave, replaceText, noteRestored, setSavedHash } from './document';
+import { discard, recordDraft, setAside, storeHere, storeNow } from './drafts';
 import { storeThumbnail } from './thumbnail';
 import { setKnownFile } from './fileOnDisk';
 import { localDraftsOf } from './localDrafts';
@@ -40,7 +40,7 @@ export async function open(name: string) {
   recordDraft(name, project.draft);
   setKnownFile(project.saved);
   discard(name, superseded);
-  draftsAside.value = aside;
+  setAside(aside);
   if (draft === null) return;
   if ('revision' in draft) {
     storeHere(name, draft);
@@ -49,8 +49,8 @@ export async function open(name: string) {
   const isOfTheFile = project.saved === null || draft.saved === project.saved;
   batch(() => {
     replaceText(draft.text, 'restore the draft');
-    if (!isOfTheFile) savedHash.value = draft.saved;
-    restored.value = isOfTheFile ? 'of the file' : 'of an earlier file';
+    if (!isOfTheFile) setSavedHash(draft.saved);
+    noteRestored(isOfTheFile ? 'of the file' : 'of an earlier file');
   });
 }
 

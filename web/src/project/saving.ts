@@ -8,11 +8,12 @@ import { file, markSaved, opening, replaceText, savedHash, text } from './docume
 import { deleteDraft, nextRevision } from './drafts';
 import { setKnownFile } from './fileOnDisk';
 import { notify, reportFailure, resolve } from '../state/messages';
+import { owned } from '../state/owned';
 import { writeInTurn } from '../state/writes';
 
 /// Why the file was not saved: another program changed it. Null once the user has decided.
-export const conflict = signal<string | null>(null);
-export const savingAs = signal(false);
+export const [conflict, setConflict] = owned(signal<string | null>(null));
+export const [savingAs, askName] = owned(signal(false));
 
 /// `replaced` returns the hash of the file to replace; it is called when earlier writes are done.
 function write(name: string, replaced: () => string | null | Promise<string | null>): Promise<void> {
@@ -37,7 +38,7 @@ export async function save() {
   try {
     await write(file.value, () => savedHash.value);
   } catch (error) {
-    if (isConflict(error) && opening.value === asked) conflict.value = (error as Refused).message;
+    if (isConflict(error) && opening.value === asked) setConflict((error as Refused).message);
     else reportFailure(error, 'save');
   }
 }

@@ -1,4 +1,4 @@
-import { everyRock, filter, isFiltering } from '../runs/filter';
+import { filter, isFiltering, showAllRocks } from '../runs/filter';
 import { counted } from '../units/numbers';
 
 /// A note that a filter is active, with the number of rocks that pass if known, and a button to reset it.
@@ -19,7 +19,7 @@ export function FilterNote({ left, of }: { left?: number; of?: number }) {
     <span class="mark filter-note">
       {left !== undefined && of !== undefined ? `${left.toLocaleString('en')} of ${counted(of, 'rock')}` : 'Only rocks'}
       : {parts.filter(Boolean).join('; ')}
-      <button class="button plain" onClick={() => (filter.value = everyRock)}>
+      <button class="button plain" onClick={showAllRocks}>
         All rocks
       </button>
     </span>

@@ -11,7 +11,7 @@ import { shown } from '../runs/runs';
 import { markColours } from '../view/colours';
 import { drapedOpacity, shownMap } from '../maps/shownMap';
 import type { Box } from '../geometry/framing';
-import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
+import { cameraNumbers, cameraText, tellCamera, wantCamera, wantedCamera } from '../view/camera';
 import { sceneCamera, setSceneCamera } from '../view/sceneCamera';
 import { watchOver } from '../view/over';
 import { contours, exaggeration, layers, shading } from '../view/settings';
@@ -275,7 +275,7 @@ export class ModelScene {
     const known = sceneCamera.peek();
     if (known.metresPerPixel !== metresPerPixel || known.heading !== heading)
       setSceneCamera({ metresPerPixel, heading });
-    if (this.shownFile === file.peek()) camera.value = this.cameraNow();
+    if (this.shownFile === file.peek()) tellCamera(this.cameraNow());
   }
 
   /// What the view shows, for the page's address.
@@ -291,7 +291,7 @@ export class ModelScene {
   /// Shows what an address asks for.
   private takeCamera() {
     const wanted = wantedCamera.peek();
-    wantedCamera.value = null;
+    wantCamera(null);
     if (wanted === null) return;
     const name = (Object.keys(namedViews) as NamedView[]).find((each) => each === wanted);
     if (name) return this.view(name);

@@ -10,17 +10,11 @@ import { DistanceButton } from '../tools/DistanceButton';
 import { LayerChoices } from '../layers/LayerChoices';
 import { equalAxes, setEqualAxes } from '../view/settings';
 import { ViewBar } from '../view/ViewBar';
-import { zoomed } from './frame';
-import { fit, frame } from './framed';
+import { fit, zoomBy } from './framed';
 import { animatedSection } from './sectionPrint';
 
 /// A section is drawn from what the page holds anyway.
 const memory = () => ({});
-
-function zoom(factor: number) {
-  const now = frame.value;
-  if (now) frame.value = zoomed(now, factor, now.width / 2, now.height / 2);
-}
 
 export function SectionBar() {
   return (
@@ -28,10 +22,10 @@ export function SectionBar() {
       <button class="button" title="Show all (0)" onClick={fit}>
         Fit
       </button>
-      <button class="button icon" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoom(1.25)}>
+      <button class="button icon" aria-label="Zoom in" title="Zoom in (+)" onClick={() => zoomBy(1.25)}>
         +
       </button>
-      <button class="button icon" aria-label="Zoom out" title="Zoom out (−)" onClick={() => zoom(0.8)}>
+      <button class="button icon" aria-label="Zoom out" title="Zoom out (−)" onClick={() => zoomBy(0.8)}>
         −
       </button>
       <button class="button" aria-pressed={equalAxes.value} title="The same scale on both axes" onClick={() => setEqualAxes(!equalAxes.value)}>

@@ -1,17 +1,18 @@
 // The visible part of the section: all of it, in the free part of the picture, until the user moves it.
 
-import { computed, effect, signal, untracked } from '@preact/signals';
+import { computed, effect, signal, untracked, type ReadonlySignal } from '@preact/signals';
 import { model } from '../project/model';
 import { alongLine, bestBox, type Box } from '../geometry/framing';
-import { camera, cameraNumbers, cameraText, wantedCamera } from '../view/camera';
+import { cameraNumbers, cameraText, tellCamera, wantCamera, wantedCamera } from '../view/camera';
 import { watchOver } from '../view/over';
 import { equalAxes } from '../view/settings';
 import { tool } from '../tools/tool';
-import { fitted, pixelOf, type Bounds, type Frame } from './frame';
+import { fitted, moved, pixelOf, zoomed, type Bounds, type Frame } from './frame';
 import { profile } from '../project/profile';
 
+const current = signal<Frame | null>(null);
 /// Null until the picture has a size and content.
-export const frame = signal<Frame | null>(null);
+export const frame: ReadonlySignal<Frame | null> = current;
 /// Boxes of the page over the picture.
 export const over = signal<Box[]>([]);
 
@@ -64,7 +65,18 @@ let fittedLast: Frame | null = null;
 export function fit() {
   const now = frame.peek();
   const whole = now && wholeSection(now, roomOf(now), over.peek());
-  if (whole) frame.value = fittedLast = whole;
+  if (whole) current.value = fittedLast = whole;
+}
+
+/// Moves the view by pixels.
+export function moveBy(dx: number, dy: number) {
+  if (current.value) current.value = moved(current.value, dx, dy);
+}
+
+/// Enlarges the view around a place of the picture; without one, around its centre.
+export function zoomBy(factor: number, at?: { x: number; y: number }) {
+  const now = current.value;
+  if (now) current.value = zoomed(now, factor, at?.x ?? now.width / 2, at?.y ?? now.height / 2);
 }
 
 /// The current view in a picture of another size.
@@ -94,14 +106,14 @@ export function keepFramed(host: HTMLElement): () => void {
     if (width === 0 || height === 0 || (now?.width === width && now.height === height)) return;
     const next = now ? { ...now, width, height } : emptyFrame({ width, height });
     if (!now || now === fittedLast) fittedLast = next;
-    frame.value = next;
+    current.value = next;
   });
   watch.observe(host);
   const endWatching = watchOver(host, (boxes) => (over.value = boxes));
   const take = (wanted: string) => {
-    wantedCamera.value = null;
+    wantCamera(null);
     const now = frame.peek();
-    frame.value = (now && frameOf(wanted, now)) ?? now;
+    current.value = (now && frameOf(wanted, now)) ?? now;
   };
   let [shown, sizeThen]: [string, string | null] = ['', null];
   // A new slope or new axes are shown whole; otherwise the user's view stays.
@@ -123,7 +135,7 @@ export function keepFramed(host: HTMLElement): () => void {
   const endTelling = effect(() => {
     const now = frame.value;
     const isMoved = now !== null && now !== fittedLast && shown !== '';
-    camera.value = isMoved ? cameraText([now.x, now.z, now.width / now.along, now.height / now.up]) : null;
+    tellCamera(isMoved ? cameraText([now.x, now.z, now.width / now.along, now.height / now.up]) : null);
   });
   return () => {
     watch.disconnect();
@@ -131,7 +143,7 @@ export function keepFramed(host: HTMLElement): () => void {
     endFitting();
     endTaking();
     endTelling();
-    frame.value = fittedLast = null;
+    current.value = fittedLast = null;
     over.value = [];
   };
 }

@@ -8,8 +8,8 @@ import type { Place } from '../tools/tool';
 import { finishTool, gripAt, tool } from '../tools/tool';
 import { choose } from '../project/chosen';
 import type { Pixel } from '../geometry/nearness';
-import { moved, pixelOf, placeOf, zoomed } from './frame';
-import { fit, frame } from './framed';
+import { pixelOf, placeOf } from './frame';
+import { fit, frame, moveBy, zoomBy } from './framed';
 import { pointer } from './picture';
 import { groundBelow, nearestSegment, profile } from '../project/profile';
 
@@ -84,7 +84,7 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: MouseEvent) =
     if (down && frame.value) {
       const [dx, dy] = [event.clientX - down.x, event.clientY - down.y];
       if (down.still && Math.hypot(dx, dy) < drag) return;
-      frame.value = moved(frame.value, dx, dy);
+      moveBy(dx, dy);
       down = { x: event.clientX, y: event.clientY, still: false };
       return;
     }
@@ -114,12 +114,10 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: MouseEvent) =
   on('wheel', (event) => {
     event.preventDefault();
     const box = canvas.getBoundingClientRect();
-    if (frame.value)
-      frame.value = zoomed(frame.value, Math.exp(-0.0015 * event.deltaY), event.clientX - box.left, event.clientY - box.top);
+    zoomBy(Math.exp(-0.0015 * event.deltaY), { x: event.clientX - box.left, y: event.clientY - box.top });
   });
   on('keydown', (event) => {
-    const now = frame.value;
-    if (!now || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (!frame.value || event.ctrlKey || event.metaKey || event.altKey) return;
     const step = 60;
     const arrows: Record<string, [number, number]> = {
       ArrowLeft: [step, 0],
@@ -128,9 +126,9 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: MouseEvent) =
       ArrowDown: [0, -step],
     };
     const arrow = arrows[event.key];
-    if (arrow) frame.value = moved(now, ...arrow);
-    else if (event.key === '+' || event.key === '=') frame.value = zoomed(now, 1.25, now.width / 2, now.height / 2);
-    else if (event.key === '-') frame.value = zoomed(now, 0.8, now.width / 2, now.height / 2);
+    if (arrow) moveBy(...arrow);
+    else if (event.key === '+' || event.key === '=') zoomBy(1.25);
+    else if (event.key === '-') zoomBy(0.8);
     else if (event.key === '0') fit();
     else if (event.key === 'Enter' && tool.value) finishTool();
     else return;

@@ -2,7 +2,7 @@
 
 import { effect } from '@preact/signals';
 import type { Point2, Point3 } from '../api/types';
-import { dragHint } from '../drag/drag';
+import { showDragHint } from '../drag/drag';
 import { onGrid } from '../drag/snapping';
 import { grips, showOverlay, type GripDrag, type Overlay } from '../tools/tool';
 import { groundBelow, profile } from '../project/profile';
@@ -83,13 +83,13 @@ const dragOf = ({ title, move, back }: Mark): GripDrag => ({
   move([x, , z], keys, metresPerPixel) {
     const to = snapped([x, z], keys, metresPerPixel);
     move(to);
-    dragHint.value = `${title}: x ${to[0].toFixed(2)} z ${to[1].toFixed(2)} m`;
+    showDragHint(`${title}: x ${to[0].toFixed(2)} z ${to[1].toFixed(2)} m`);
   },
   drop() {
-    dragHint.value = null;
+    showDragHint(null);
   },
   cancel() {
-    dragHint.value = null;
+    showDragHint(null);
     back();
   },
 });

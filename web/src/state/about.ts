@@ -2,8 +2,9 @@
 
 import { signal } from '@preact/signals';
 import type { About } from '../api/types';
+import { owned } from './owned';
 
-export const about = signal<About | null>(null);
+export const [about, setAbout] = owned(signal<About | null>(null));
 
 /// Identifies the folder. Data that the browser stores for a project is bound to it, because another folder served on the
 /// same port can have a project of the same name.

@@ -1,7 +1,7 @@
 // Drawing in the view: points are clicked one after the other and used together when the drawing is finished.
 
 import { signal } from '@preact/signals';
-import { showOverlay, tool, useTool, type Overlay, type Place } from './tool';
+import { leaveTool, showOverlay, useTool, type Overlay, type Place } from './tool';
 import type { Point3 } from '../api/types';
 import { model } from '../project/model';
 
@@ -42,7 +42,7 @@ export function draw({ name, hint, kind, least, most = Infinity, isPossible, don
   };
   const end = () => {
     showOverlay('drawing', []);
-    if (tool.value?.name === name) tool.value = null;
+    leaveTool(name);
   };
   const finish = () => {
     if (places.value.length < least) return;

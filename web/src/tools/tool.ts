@@ -1,7 +1,7 @@
 // Tools for the pointer in the scene and the section: drawing a line, placing a seeder, measuring. The views pass clicks
 // and movements on the ground to the active tool.
 
-import { effect, signal, untracked } from '@preact/signals';
+import { effect, signal, untracked, type ReadonlySignal } from '@preact/signals';
 import type { Point3 } from '../api/types';
 import { opening } from '../project/document';
 import { reportFailure } from '../state/messages';
@@ -32,7 +32,8 @@ export interface Tool {
   isPossible?(): boolean;
 }
 
-export const tool = signal<Tool | null>(null);
+const active = signal<Tool | null>(null);
+export const tool: ReadonlySignal<Tool | null> = active;
 
 /// Marks that tools and forms show in the views.
 export interface Overlay {
@@ -46,12 +47,13 @@ export interface Overlay {
   /// Of a line [pixels].
   width?: number;
 }
-export const overlays = signal<Record<string, Overlay[]>>({});
+const shown = signal<Record<string, Overlay[]>>({});
+export const overlays: ReadonlySignal<Record<string, Overlay[]>> = shown;
 
 export function showOverlay(owner: string, list: Overlay[]) {
   // peek(): an effect that shows an overlay must not depend on it.
-  const { [owner]: _, ...others } = overlays.peek();
-  overlays.value = list.length > 0 ? { ...others, [owner]: list } : others;
+  const { [owner]: _, ...others } = shown.peek();
+  shown.value = list.length > 0 ? { ...others, [owner]: list } : others;
 }
 
 /// Runs tasks of the tool in order, because a click may wait for the engine.
@@ -61,9 +63,9 @@ export function inTurn(task: () => void | Promise<void>): Promise<void> {
 }
 
 function call(method: 'finish' | 'back') {
-  const active = tool.value;
+  const then = tool.value;
   void inTurn(() => {
-    if (tool.value === active) active?.[method]?.();
+    if (tool.value === then) then?.[method]?.();
   });
 }
 export const finishTool = () => call('finish');
@@ -71,7 +73,11 @@ export const removeLastPoint = () => call('back');
 
 export function useTool(next: Tool | null) {
   tool.value?.cancel?.();
-  tool.value = next;
+  active.value = next;
+}
+/// Ends a tool that has done its work, without cancelling it.
+export function leaveTool(name: string) {
+  if (active.value?.name === name) active.value = null;
 }
 
 const closeTool = () => untracked(() => useTool(null));

@@ -2,11 +2,12 @@
 // coordinates [m]. 3D: the eye and the point it looks at (six); 2D: the centre, the width and the height (four).
 
 import { ofProject } from '../project/ofProject';
+import { owned } from '../state/owned';
 
 /// What the view shows now; null: all of the model, as when it is opened.
-export const camera = ofProject<string | null>(null);
+export const [camera, tellCamera] = owned(ofProject<string | null>(null));
 /// What the view is asked to show, until it does.
-export const wantedCamera = ofProject<string | null>(null);
+export const [wantedCamera, wantCamera] = owned(ofProject<string | null>(null));
 
 export const cameraText = (numbers: readonly number[]) => numbers.map((number) => String(Number(number.toFixed(2)))).join(',');
 

@@ -1,4 +1,4 @@
-import { reading } from '../../help/Document';
+import { read } from '../../help/Document';
 import { topicOf } from '../../help/topics';
 import type { Path } from '../../settings/names';
 import type { Field } from '../../settings/schema';
@@ -57,7 +57,7 @@ export function Help({ field, path }: { field: Field; path: Path }) {
         </dd>
       </dl>
       {topic && (
-        <button class="button plain more" onClick={() => (reading.value = topic)}>
+        <button class="button plain more" onClick={() => read(topic)}>
           {`Read more: ${topic.heading.replaceAll('`', '')}`}
         </button>
       )}
