@@ -8,7 +8,7 @@ import { ofProject } from '../project/ofProject';
 import { reportFailure } from '../state/messages';
 import { model } from '../project/model';
 import { shownPaths } from '../paths/drawnPaths';
-import { ask, asked, kitEnergy, kitHeight } from './asked';
+import { ask, asked, setKitEnergy, setKitHeight } from './asked';
 import { drawAsked, isDrawing, lineOfBarrier } from './askTools';
 import { isTaking, takeFromMap, vectorLayers } from './fromMap';
 import { takeLineFiles } from './lineFiles';
@@ -20,8 +20,8 @@ const elevation = ofProject<number | null>(null);
 function askBarrier(name: string) {
   const barrier = model.value?.barriers.find((each) => each.name === name);
   if (barrier?.kind === 'barrier') {
-    kitHeight.value = barrier.height_m;
-    if (barrier.capacity_kJ !== null) kitEnergy.value = barrier.capacity_kJ;
+    setKitHeight(barrier.height_m);
+    if (barrier.capacity_kJ !== null) setKitEnergy(barrier.capacity_kJ);
   }
   const isOfRun = shownPaths.value?.header.barriers.includes(name) ?? false;
   ask(isOfRun ? { kind: 'barrier', name } : { kind: 'line', points: lineOfBarrier(name) }, `ask ${name}`);

@@ -2,7 +2,7 @@
 
 import type { KitTable } from '../api/line';
 import { numberText } from '../units/numbers';
-import { kitEnergy, kitHeight } from './asked';
+import { kitEnergy, kitHeight, setKitEnergy, setKitHeight } from './asked';
 import { kitSentence, kitShare, nearestIndex } from './kit';
 
 interface SliderProps {
@@ -39,8 +39,8 @@ export function KitSlider({ of }: { of: KitTable }) {
   return (
     <div class="asked-kit">
       <h3>A kit here</h3>
-      <Slider title="Height" unit="m" values={of.heights_m} at={height} choose={(value) => (kitHeight.value = value)} />
-      <Slider title="Capacity" unit="kJ" values={of.energies_kJ} at={energy} choose={(value) => (kitEnergy.value = value)} />
+      <Slider title="Height" unit="m" values={of.heights_m} at={height} choose={setKitHeight} />
+      <Slider title="Capacity" unit="kJ" values={of.energies_kJ} at={energy} choose={setKitEnergy} />
       {kit && (
         <p class="kit-sentence" aria-live="polite">
           {kitSentence(kit)}

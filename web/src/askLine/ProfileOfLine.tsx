@@ -10,7 +10,7 @@ import { fileName } from '../charts/save';
 import { shown } from '../runs/runs';
 import { displayOf } from '../state/displayUnits';
 import { kept } from '../state/kept';
-import { pointedPart } from './askedOverlay';
+import { pointAt } from './askedOverlay';
 import { hasPercentile, profileChoices, stretchesOf, type ProfileChoice } from './quantities';
 
 const choice = kept<ProfileChoice>('profile of a line', 'ke_translational_J');
@@ -28,7 +28,7 @@ export function ProfileOfLine({ of }: { of: LineAnswer }) {
         stretches,
         worst: of.worst?.section ?? null,
         colour: shownColour,
-        hover: (k) => (pointedPart.value = k === null ? null : [stretches[k]!.from, stretches[k]!.to]),
+        hover: (k) => pointAt(k === null ? null : [stretches[k]!.from, stretches[k]!.to]),
       }),
     [stretches, of],
   );

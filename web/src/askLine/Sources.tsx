@@ -4,7 +4,7 @@ import { useState } from 'preact/hooks';
 import { dimension } from '../project/place';
 import { filter } from '../runs/filter';
 import { counted } from '../units/numbers';
-import { sourceColour, type SourceColour } from './asked';
+import { colourSources, sourceColour, type SourceColour } from './asked';
 import { sourcePlaces, sourceText, sourceTitles, toggleRelease } from './sources';
 
 const first = 5; // places that are listed without asking
@@ -24,7 +24,7 @@ export function Sources({ hasKit }: { hasKit: boolean }) {
       {(is3d || hasKit) && (
         <label class="choice">
           Release places
-          <select value={sourceColour.value} onChange={(event) => (sourceColour.value = event.currentTarget.value as SourceColour)}>
+          <select value={sourceColour.value} onChange={(event) => colourSources(event.currentTarget.value as SourceColour)}>
             {(Object.keys(sourceTitles) as SourceColour[])
               .filter((key) => hasKit || key !== 'clearing')
               .map((key) => (

@@ -10,9 +10,9 @@ import { fileName } from '../charts/save';
 import { unitSystem } from '../state/displayUnits';
 import { shown } from '../runs/runs';
 import { barsOf, changeText, figures, figureTitle, nameOf, type WhatIfBar } from './tornadoOf';
-import { begin, openAsRun, refusal, stop, unitOfChange, whatIf, whatIfFigure } from './whatIf';
+import { begin, chooseFigure, openAsRun, refusal, stop, unitOfChange, whatIf, whatIfFigure } from './whatIf';
 import { WhatIfChoices } from './WhatIfChoices';
-import { chosenSteps, material, optionsOf } from './whatIfChoices';
+import { chooseMaterial, chosenSteps, material, optionsOf } from './whatIfChoices';
 
 function ProgressOf({ of }: { of: WhatIfState }) {
   const left = of.seconds_left === null ? '' : `, ${Math.ceil(of.seconds_left)} s left`;
@@ -102,7 +102,7 @@ function AnswerOf({ state, answer }: { state: WhatIfState; answer: WhatIfAnswer 
         draw={draw}
         rows={() => rowsOf(answer)}
         tools={
-          <select aria-label="Figure of what if" value={by} onChange={(event) => (whatIfFigure.value = event.currentTarget.value as WhatIfFigure)}>
+          <select aria-label="Figure of what if" value={by} onChange={(event) => chooseFigure(event.currentTarget.value as WhatIfFigure)}>
             {(Object.keys(figures) as WhatIfFigure[]).map((each) => (
               <option key={each} value={each}>
                 {figureTitle(each, answer)}
@@ -142,7 +142,7 @@ export function WhatIf() {
         <p class="problem">
           {choices.error}{' '}
           {material.value !== '' && (
-            <button class="button" onClick={() => (material.value = '')}>
+            <button class="button" onClick={() => chooseMaterial('')}>
               All materials
             </button>
           )}

@@ -1,7 +1,7 @@
 // Choices of what if: the material, and each input with its step.
 
 import type { WhatIfChoices as Choices, WhatIfFactor } from '../api/whatIf';
-import { chooseStep, chosenSteps, isLeftOut, material } from './whatIfChoices';
+import { chooseMaterial, chooseStep, chosenSteps, isLeftOut, material } from './whatIfChoices';
 
 function Factor({ of: { factor, title, usual_percent } }: { of: WhatIfFactor }) {
   const step = chosenSteps.value[factor];
@@ -37,7 +37,7 @@ export function WhatIfChoices({ of: { materials, factors } }: { of: Choices }) {
       {materials.length > 1 && (
         <label class="choice">
           Ground
-          <select value={material.value} onChange={(event) => (material.value = event.currentTarget.value)}>
+          <select value={material.value} onChange={(event) => chooseMaterial(event.currentTarget.value)}>
             <option value="">All materials</option>
             {materials.map((name) => (
               <option key={name}>{name}</option>

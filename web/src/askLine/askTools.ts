@@ -9,7 +9,7 @@ import { grips, tool, useTool, type GripDrag } from '../tools/tool';
 import { valueAt } from '../project/document';
 import { model } from '../project/model';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
-import { answer, ask, asked, draggedPoints, isAsking, openCard } from './asked';
+import { answer, ask, asked, draggedPoints, isAsking, openCard, setDraggedPoints } from './asked';
 import { onGround } from './foot';
 import { moved, type Asked } from './shape';
 
@@ -81,15 +81,15 @@ function dragOf(now: Asked, corners: readonly Point3[], corner: number | null, f
       begun ??= [x, y];
       const [dx, dy] = [x - begun[0], y - begun[1]];
       const next = corner === null ? moved(first, dx, dy) : first.with(corner, [x, y]);
-      draggedPoints.value = next.map(([px, py]) => (is2d ? [onPlan([px, 0])[0], 0] : onPlan([px, py])));
+      setDraggedPoints(next.map(([px, py]) => (is2d ? [onPlan([px, 0])[0], 0] : onPlan([px, py]))));
     },
     drop() {
       const points = draggedPoints.value;
-      draggedPoints.value = null;
+      setDraggedPoints(null);
       if (points) ask({ kind: now.kind === 'polygon' ? 'polygon' : 'line', points }, `move the asked ${now.kind === 'polygon' ? 'area' : 'line'}`);
     },
     cancel() {
-      draggedPoints.value = null;
+      setDraggedPoints(null);
     },
   };
 }

@@ -9,6 +9,7 @@ import { filter, filterBy, setCrossingRocks } from '../runs/filter';
 import { keptOfProject, ofProject } from '../project/ofProject';
 import { hasResults, shown } from '../runs/runs';
 import { askedOf, missingPoints, shapeOf, textOf, type Asked } from './shape';
+import { owned } from '../state/owned';
 
 const isOpen = keptOfProject<boolean>('asking a line', false);
 /// Whether a line is asked: its card is open.
@@ -26,14 +27,14 @@ export function openAsked(text: string | null) {
 
 export const asked = computed<Asked | null>(() => (kept.value === '' ? null : askedOf(kept.value)));
 /// The points while they are dragged.
-export const draggedPoints = ofProject<Point2[] | null>(null);
+export const [draggedPoints, setDraggedPoints] = owned(ofProject<Point2[] | null>(null));
 /// The kit of the slider.
-export const kitHeight = keptOfProject<number>('kit height', 5);
-export const kitEnergy = keptOfProject<number>('kit energy', 3000);
+export const [kitHeight, setKitHeight] = owned(keptOfProject<number>('kit height', 5));
+export const [kitEnergy, setKitEnergy] = owned(keptOfProject<number>('kit energy', 3000));
 
 export type SourceColour = 'crossing' | 'clearing' | 'none';
 /// What the release places are coloured by: the share of their rocks that crosses, or that the kit would not stop.
-export const sourceColour = keptOfProject<SourceColour>('release places', 'crossing');
+export const [sourceColour, colourSources] = owned(keptOfProject<SourceColour>('release places', 'crossing'));
 
 /// Asks something else as one step of Undo; null: nothing.
 export function ask(next: Asked | null, what: string) {

@@ -7,9 +7,10 @@ import { markColours } from '../view/colours';
 import { answer, askedNow, draggedPoints, isAsking } from './asked';
 import { cornersOf, groundOf } from './askTools';
 import { partOf } from './foot';
+import { owned } from '../state/owned';
 
 /// The part of the line under the pointer in the figure, from and to [m].
-export const pointedPart = signal<[number, number] | null>(null);
+export const [pointedPart, pointAt] = owned(signal<[number, number] | null>(null));
 
 effect(() => {
   const now = askedNow.value;

@@ -13,10 +13,11 @@ import { showPanel } from '../state/panels';
 import { asked, isAsking } from './asked';
 import { shapeOf } from './shape';
 import { changeIn, editsOf, figures, nameOf } from './tornadoOf';
+import { owned } from '../state/owned';
 
 /// The last one that was begun, or found at the server.
 const last = signal<WhatIfState | null>(null);
-export const whatIfFigure = kept<WhatIfFigure>('figure of what if', 'share');
+export const [whatIfFigure, chooseFigure] = owned(kept<WhatIfFigure>('figure of what if', 'share'));
 export const unitOfChange = (by: WhatIfFigure) => changeIn(by, displayOf(figures[by].unit));
 
 const key = (run: string, { line, barrier, polygon }: AskedShape) => JSON.stringify([run, line, barrier, polygon]);

@@ -4,11 +4,12 @@ import { computed } from '@preact/signals';
 import type { WhatIfChoices, WhatIfOptions } from '../api/whatIf';
 import { typedNumber } from '../settings/numbers';
 import { keptOfProject } from '../project/ofProject';
+import { owned } from '../state/owned';
 
 /// By factor what differs from the usual step: what was typed, or false if it is left out.
 export type ChosenSteps = Readonly<Record<string, string | false>>;
 
-export const material = keptOfProject<string>('material of what if', '');
+export const [material, chooseMaterial] = owned(keptOfProject<string>('material of what if', ''));
 const keptSteps = keptOfProject<string>('steps of what if', '{}');
 export const chosenSteps = computed(() => JSON.parse(keptSteps.value) as ChosenSteps);
 

@@ -1,7 +1,7 @@
 // The context menu of the views.
 
 import { useLayoutEffect, useRef } from 'preact/hooks';
-import { menu } from './menu';
+import { menu, setMenu } from './menu';
 import './menu.css';
 
 export function ContextMenu() {
@@ -17,7 +17,7 @@ export function ContextMenu() {
     list.querySelector('button')?.focus();
     const close = (event: Event) => {
       if (event.type === 'pointerdown' && list.contains(event.target as Node)) return;
-      menu.value = null;
+      setMenu(null);
     };
     addEventListener('pointerdown', close, true);
     addEventListener('resize', close);
@@ -35,7 +35,7 @@ export function ContextMenu() {
     const at = buttons.indexOf(document.activeElement as HTMLButtonElement);
     const to = { ArrowDown: at + 1, ArrowUp: at - 1, Home: 0, End: -1 }[event.key];
     if (to !== undefined) buttons.at(to % buttons.length)?.focus();
-    else if (event.key === 'Escape' || event.key === 'Tab') menu.value = null;
+    else if (event.key === 'Escape' || event.key === 'Tab') setMenu(null);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -51,7 +51,7 @@ export function ContextMenu() {
           role="menuitem"
           class={`button plain ${isDanger ? 'danger' : ''}`}
           onClick={() => {
-            menu.value = null;
+            setMenu(null);
             act();
           }}
         >

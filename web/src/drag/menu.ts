@@ -20,6 +20,7 @@ import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { handleAt, type DragView } from './drag';
 import { handles } from './handles';
 import { thingAt } from './things';
+import { owned } from '../state/owned';
 
 export interface MenuItem {
   title: string;
@@ -33,7 +34,7 @@ export interface Menu {
   y: number;
   items: MenuItem[];
 }
-export const menu = signal<Menu | null>(null);
+export const [menu, setMenu] = owned(signal<Menu | null>(null));
 
 const extent = () => {
   const bounds = model.peek()?.bounds;
@@ -137,7 +138,7 @@ export function openMenu(view: DragView, at: Pixel, window: { x: number; y: numb
     ...(place ? [...ofPlace(place), ...more(place)] : []),
   ];
   const title = thing ? nameOf(thing[0] as TableName, thing[1] as number) : rock !== null ? `Rock ${rock}` : place ? inView(place) : 'View';
-  menu.value = items.length > 0 ? { title, ...window, items } : null;
+  setMenu(items.length > 0 ? { title, ...window, items } : null);
 }
 
 const reach = 8; // pixels

@@ -1,7 +1,7 @@
 // Asks what a dropped file is.
 
 import { Dialog } from '../ui/Dialog';
-import { dropped, useDropped } from './dropped';
+import { dropped, setDropped, useDropped } from './dropped';
 import './dropped.css';
 
 export function DropDialog() {
@@ -10,7 +10,7 @@ export function DropDialog() {
   const { name, isReading, choices, problems } = now;
   // Browsers say that a dialog is closed with the next frame, when another file may have been dropped.
   const close = () => {
-    if (dropped.peek()?.name === name) dropped.value = null;
+    if (dropped.peek()?.name === name) setDropped(null);
   };
   return (
     <Dialog key={name} title={`What is ${name}?`} close={close}>

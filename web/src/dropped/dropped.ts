@@ -19,6 +19,7 @@ import { openForm } from '../project/chosen';
 import { unpacked } from './unzip';
 import { triedAs, triedBoth } from './triedTerrain';
 import { barrierEdits, choicesFor, layerEdits, refusals, releaseEdits, terrainChoices, type Choice, type ReadShape, type Use } from './uses';
+import { owned } from '../state/owned';
 
 export interface Dropped {
   name: string;
@@ -31,7 +32,7 @@ export interface Dropped {
   problems: Problem[];
 }
 /// The file that the dialog asks about.
-export const dropped = ofProject<Dropped | null>(null);
+export const [dropped, setDropped] = owned(ofProject<Dropped | null>(null));
 
 const fileKind = (name: string): FileKind | null => fileFormats.find(({ ending }) => name.toLowerCase().endsWith(ending))?.kind ?? null;
 
@@ -67,15 +68,15 @@ export async function takeStored(names: readonly string[]) {
   if (name === undefined) return takeTerrain(names);
   const kind = fileKind(name)!;
   const asked: Dropped = { name, kind, shapes: null, isReading: true, choices: [], problems: [] };
-  dropped.value = asked;
+  setDropped(asked);
   try {
     const found = await readAs(name, kind);
     if (dropped.peek() !== asked) return;
     const canBe = (wanted: Use) => found.choices.some(({ use }) => use === wanted);
     if (!hasTerrain() && canBe('terrain') && !canBe('section')) return useDropped({ ...asked, ...found }, 'terrain');
-    dropped.value = { ...asked, ...found, isReading: false };
+    setDropped({ ...asked, ...found, isReading: false });
   } catch (error) {
-    if (dropped.peek() === asked) dropped.value = null;
+    if (dropped.peek() === asked) setDropped(null);
     throw error;
   }
 }
@@ -108,7 +109,7 @@ function put(key: TableName, what: string, edits: readonly Edit[]) {
 
 /// Puts the file into the project as the user chose, as one step of Undo.
 export function useDropped({ name, shapes }: Dropped, use: Use) {
-  dropped.value = null;
+  setDropped(null);
   switch (use) {
     case 'layer':
       return put('layer', `add the layer ${name}`, layerEdits(name, namesIn('layer')));

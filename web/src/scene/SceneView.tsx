@@ -17,14 +17,13 @@ export function SceneView() {
   const open = useSignal<OpenScene | null>(null);
   useEffect(() => {
     let gone = false;
-    picture.failure.value = null;
+    picture.setFailure(null);
     import('./open').then(({ openScene }) => {
       if (gone) return;
       try {
         open.value = openScene(host.current!);
       } catch {
-        picture.failure.value =
-          'This browser does not provide 3D graphics (WebGL 2). Turn on hardware acceleration in its settings, or use another browser. Everything else works without it.';
+        picture.setFailure('This browser does not provide 3D graphics (WebGL 2). Turn on hardware acceleration in its settings, or use another browser. Everything else works without it.');
       }
     }, reportFailure);
     return () => {

@@ -70,7 +70,7 @@ export class ModelScene {
   constructor(host: HTMLElement) {
     this.stage = new Stage(host);
     this.stage.world.add(this.seeders, this.barriers, this.drawings);
-    this.stage.onLost = (lost) => (picture.failure.value = lost ? 'The graphics driver dropped the 3D view. It is restored automatically if possible; otherwise reload the page.' : null);
+    this.stage.onLost = (lost) => picture.setFailure(lost ? 'The graphics driver dropped the 3D view. It is restored automatically if possible; otherwise reload the page.' : null);
     this.stage.beforeFrame.push(() => this.prepare());
     this.stage.onResize = () => this.refit();
     this.ends.push(
@@ -121,7 +121,7 @@ export class ModelScene {
     const { min, max } = next.bounds;
     const frame = new Frame(min.map((low, k) => (low + max[k]!) / 2) as Point3);
     const material = new TerrainMaterial(next.kind === 'raster');
-    picture.isLoading.value = true;
+    picture.setLoading(true);
     try {
       const ofTiles = (make: MakeTile) => TiledTerrain.of(next.id, frame, [min[2], max[2]], make, asking.signal, () => this.stage.invalidate());
       const terrain =
@@ -137,7 +137,7 @@ export class ModelScene {
       this.key = '';
       throw error;
     } finally {
-      if (this.asking === asking) picture.isLoading.value = false;
+      if (this.asking === asking) picture.setLoading(false);
     }
   }
 
@@ -156,7 +156,7 @@ export class ModelScene {
     this.shownFile = file.peek();
     material.uniforms.range.value.set(this.box.min.z, this.box.max.z);
     material.uniforms.exaggeration.value = exaggeration.peek();
-    picture.elevations.value = [next.bounds.min[2], next.bounds.max[2]];
+    picture.setElevations([next.bounds.min[2], next.bounds.max[2]]);
     this.paint();
     this.drape();
     material.drape(this.pictures);
@@ -270,7 +270,7 @@ export class ModelScene {
       material.uniforms.interval.value = interval;
       material.uniforms.phase.value = interval > 0 ? this.frame.base[2] % (5 * interval) : 0;
     }
-    if (picture.contourInterval.peek() !== interval) picture.contourInterval.value = interval;
+    if (picture.contourInterval.peek() !== interval) picture.setContourInterval(interval);
     const heading = (-stage.controls.getAzimuthalAngle() * 180) / Math.PI;
     const known = sceneCamera.peek();
     if (known.metresPerPixel !== metresPerPixel || known.heading !== heading)

@@ -2,13 +2,14 @@
 
 import { signal } from '@preact/signals';
 import type { Place } from '../tools/tool';
+import { owned } from '../state/owned';
 
 /// The point of the ground under the pointer.
-export const pointer = signal<Place | null>(null);
+export const [pointer, setPointer] = owned(signal<Place | null>(null));
 /// The contour interval [m]; 0: no contours.
-export const contourInterval = signal(0);
+export const [contourInterval, setContourInterval] = owned(signal(0));
 /// The range of elevations, for the legend.
-export const elevations = signal<[number, number]>([0, 1]);
+export const [elevations, setElevations] = owned(signal<[number, number]>([0, 1]));
 /// The reason why there is no picture.
-export const failure = signal<string | null>(null);
-export const isLoading = signal(false);
+export const [failure, setFailure] = owned(signal<string | null>(null));
+export const [isLoading, setLoading] = owned(signal(false));

@@ -61,7 +61,7 @@ export class Pointing {
     });
     on('pointerleave', () => {
       this.last = null;
-      picture.pointer.value = null;
+      picture.setPointer(null);
       tool.value?.move?.(null);
     });
     on('dblclick', (event) => {
@@ -147,7 +147,7 @@ export class Pointing {
       for (let place = picture.pointer.peek(); place?.isCoarse; place = picture.pointer.peek()) {
         const [x, y] = place.point;
         const z = await this.elevation(place.point);
-        if (picture.pointer.peek() === place) picture.pointer.value = z === null ? null : { point: [x, y, z] };
+        if (picture.pointer.peek() === place) picture.setPointer(z === null ? null : { point: [x, y, z] });
       }
     } catch {
       // It stays approximate and is shown as such.
@@ -161,7 +161,7 @@ export class Pointing {
     if (!this.last) return;
     const place = this.placeAt(this.last.clientX, this.last.clientY);
     this.scene.stage.renderer.domElement.style.cursor = this.isOverHandle(this.last) ? 'move' : '';
-    picture.pointer.value = place;
+    picture.setPointer(place);
     tool.value?.move?.(place);
     void this.refine();
   }

@@ -24,8 +24,9 @@ import { frame, keepFramed, over, roomOf } from './framed';
 import { PathLayer, type PathsToDraw } from './pathLayer';
 import { profile } from '../project/profile';
 import { SectionBlocks } from './sectionBlocks';
+import { owned } from '../state/owned';
 
-export const pointer = signal<{ x: number; z: number; ground: number | null } | null>(null);
+export const [pointer, setPointer] = owned(signal<{ x: number; z: number; ground: number | null } | null>(null));
 
 const look = (): Look => ({
   text: cssColour('--text'),

@@ -10,7 +10,7 @@ import { choose } from '../project/chosen';
 import type { Pixel } from '../geometry/nearness';
 import { pixelOf, placeOf } from './frame';
 import { fit, frame, moveBy, zoomBy } from './framed';
-import { pointer } from './picture';
+import { setPointer } from './picture';
 import { groundBelow, nearestSegment, profile } from '../project/profile';
 
 const drag = 4; // pixels of movement that turn a click into a drag
@@ -93,7 +93,7 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: MouseEvent) =
     const isOverHandle = gripAt(view.pixelOf, at(event)) ?? handleAt(view, at(event));
     canvas.style.cursor = !tool.value && isOverHandle ? 'move' : '';
     const ground = profile.value ? groundBelow(profile.value, place.x) : null;
-    pointer.value = { ...place, ground: ground?.z ?? null };
+    setPointer({ ...place, ground: ground?.z ?? null });
     tool.value?.move?.(withSegment(place));
   });
   on('pointerup', (event) => {
@@ -107,7 +107,7 @@ export function listen(canvas: HTMLCanvasElement, onClick: (event: MouseEvent) =
     click(event);
   });
   on('pointerleave', () => {
-    pointer.value = null;
+    setPointer(null);
     tool.value?.move?.(null);
   });
   on('dblclick', finishTool);

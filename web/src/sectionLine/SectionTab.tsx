@@ -19,16 +19,7 @@ import { CorridorChoices } from './CorridorChoices';
 import { corridorTraces } from './corridorTraces';
 import { equalRanges, gapsOf } from './groundSection';
 import { makeSectionProject } from './makeSectionProject';
-import {
-  drawSection,
-  groundSection,
-  marked,
-  refusal,
-  removeSection,
-  sectionLine,
-  takeLine,
-  waitingRows,
-} from './sectionLine';
+import { drawSection, groundSection, keepRows, mark, marked, refusal, removeSection, sectionLine, takeLine, waitingRows } from './sectionLine';
 import { envelopeRows, placeText, sectionRows } from './sectionPlot';
 import { useEnvelope } from './useEnvelope';
 import './sectionLine.css';
@@ -63,7 +54,7 @@ function Plot({ of }: { of: GroundSection }) {
         envelope,
         fit: isEqual && heights[1] > heights[0] ? (width, height) => equalRanges(along, heights, width, height) : undefined,
         textOf: (place) => placeText(of, place, '\n'),
-        hover: (place) => (marked.value = place),
+        hover: mark,
       });
     },
     [of, isEqual, traces, envelope],
@@ -72,7 +63,7 @@ function Plot({ of }: { of: GroundSection }) {
   const [slid, setSlid] = useState<number | null>(null);
   const slide = (place: number | null) => {
     setSlid(place);
-    marked.value = place;
+    mark(place);
   };
   return (
     <div class="section-plot">
@@ -169,7 +160,7 @@ export function SectionTab() {
           least={2}
           take={take}
           waiting={waitingRows.value}
-          keepWaiting={(rows) => (waitingRows.value = rows)}
+          keepWaiting={keepRows}
         >
           {section && (
             <button

@@ -12,17 +12,18 @@ import { file } from '../project/document';
 import { build, model } from '../project/model';
 import { openResults, showTab } from '../state/panels';
 import { piecesOf } from './groundSection';
+import { owned } from '../state/owned';
 
 /// Null: no section is requested. With fewer than two points it is not complete yet.
 export const sectionLine = signal<Point2[] | null>(null);
 /// Incomplete rows of points.
-export const waitingRows = signal<readonly Waiting[]>([]);
+export const [waitingRows, keepRows] = owned(signal<readonly Waiting[]>([]));
 /// The last section, also while the next one is loading.
 export const groundSection = signal<GroundSection | null>(null);
 /// The error if the section could not be computed.
 export const refusal = signal<string | null>(null);
 /// The index of the highlighted point of the section.
-export const marked = signal<number | null>(null);
+export const [marked, mark] = owned(signal<number | null>(null));
 
 const name = 'Section';
 export const isDrawing = () => tool.value?.name === name;
@@ -50,13 +51,13 @@ export function takeLine(line: Point2[]) {
 
 export function removeSection() {
   if (isDrawing()) useTool(null);
-  waitingRows.value = [];
+  keepRows([]);
   sectionLine.value = null;
 }
 
 effect(() => {
   void file.value;
-  waitingRows.value = [];
+  keepRows([]);
   sectionLine.value = null;
 });
 
@@ -64,7 +65,7 @@ function forget() {
   batch(() => {
     groundSection.value = null;
     refusal.value = null;
-    marked.value = null;
+    mark(null);
   });
 }
 
@@ -75,7 +76,7 @@ async function ask(id: string, line: Point2[], signal: AbortSignal) {
     batch(() => {
       groundSection.value = answer;
       refusal.value = null;
-      marked.value = null;
+      mark(null);
     });
   } catch (error) {
     if (signal.aborted) return;

@@ -2,7 +2,7 @@
 
 import { fixedText } from '../units/numbers';
 import { Compared } from './Compared';
-import { compare, comparing, mostRocks, station } from './compare';
+import { compare, comparing, mostRocks, setStation, station } from './compare';
 import { NumberInput } from './NumberInput';
 import { apply, kind, numbers, preview, problem, setElevation, setNumbers } from './state';
 import { fieldsOf, type ToolKind } from './tools';
@@ -65,7 +65,7 @@ export function ShapeForm() {
         unit="m"
         value={station.value}
         empty={made ? fixedText(made.keeps[1], 2) : ''}
-        take={(value) => (station.value = value !== null && Number.isFinite(value) ? value : null)}
+        take={(value) => setStation(value !== null && Number.isFinite(value) ? value : null)}
       />
       <Compared />
     </>

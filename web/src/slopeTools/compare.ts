@@ -10,6 +10,7 @@ import { ofProject } from '../project/ofProject';
 import { runs, takeAnswer } from '../runs/runs';
 import { edited } from '../toml/edit';
 import { editsNow, kind, preview } from './state';
+import { owned } from '../state/owned';
 
 /// Rocks of each of the two runs, unless the project has fewer.
 export const mostRocks = 1000;
@@ -25,7 +26,7 @@ export interface Comparison {
 export const comparison = ofProject<Comparison | null>(null);
 export const comparing = ofProject<'running' | { failed: string } | null>(null);
 /// Where rocks must stay before; null: the far edge.
-export const station = ofProject<number | null>(null);
+export const [station, setStation] = owned(ofProject<number | null>(null));
 
 const isAtWork = ({ state }: Run) => state === 'waiting' || state === 'running';
 

@@ -11,7 +11,7 @@ import { compute, ownRuns } from '../runs/runs';
 import { showVerification, verifying } from './verifying';
 import { beginWith, NewProject } from './NewProject';
 import { CardPicture, DeletedProjects, ProjectList } from './ProjectList';
-import { examplePicture, examples, loadProjects } from './projects';
+import { examplePicture, examples, loadProjects, setExamples } from './projects';
 import { VerificationPage } from './VerificationPage';
 import './start.css';
 
@@ -20,7 +20,7 @@ const given = signal<string | null>(null);
 
 async function load() {
   const [list] = await Promise.all([api.examples(), loadProjects()]);
-  examples.value = list;
+  setExamples(list);
 }
 
 /// Opens an example, and runs it if it has no run yet.

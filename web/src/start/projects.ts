@@ -12,8 +12,9 @@ import { allWritten, writeInTurn } from '../state/writes';
 import { edited } from '../toml/edit';
 import { valuesOf } from '../toml/values';
 import { inFolderOf, listProjects, type ListedProject } from './projectList';
+import { owned } from '../state/owned';
 
-export const examples = signal<Example[]>([]);
+export const [examples, setExamples] = owned(signal<Example[]>([]));
 /// The picture of an example, from docs/pictures.mjs.
 export const examplePicture = (id: string) => `/examples/${id}.webp`;
 
