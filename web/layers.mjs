@@ -96,15 +96,19 @@ export function importsOf(/** @type {string} */ file, /** @type {string} */ text
   return named.map((name) => (name.startsWith('.') ? { from, to: posix.join(posix.dirname(file), name) } : { from, library: name }));
 }
 
-/// All that is wrong in src.
-export function objectionsToSource() {
+/// The files of src and their texts.
+export function sources() {
   const source = fileURLToPath(new URL('./src/', import.meta.url));
   const files = readdirSync(source, { recursive: true, encoding: 'utf8' }).filter((file) => /\.tsx?$/.test(file));
-  const folders = [...new Set(files.filter((file) => file.includes('/')).map(folderOf))];
+  return files.map((file) => ({ file, text: readFileSync(join(source, file), 'utf8') }));
+}
+
+/// All that is wrong in src.
+export function objectionsToSource() {
+  const files = sources();
+  const folders = [...new Set(files.filter(({ file }) => file.includes('/')).map(({ file }) => folderOf(file)))];
   // main.tsx, which starts the page, is above all folders.
-  const imports = files
-    .filter((file) => file !== 'main.tsx')
-    .flatMap((file) => importsOf(file, readFileSync(join(source, file), 'utf8')));
+  const imports = files.filter(({ file }) => file !== 'main.tsx').flatMap(({ file, text }) => importsOf(file, text));
   return { count: imports.length, found: objections(imports, folders) };
 }
 
