@@ -1,6 +1,6 @@
-// The layers of src, from low to high, and the check that no import points upward: a folder imports from lower layers, and
-// from folders of its own layer without circles. Some libraries are known to few folders. `node layers.mjs` names every
-// import that breaks this.
+// The layers of src, from low to high, and the check that no import points upward: a folder imports from lower layers,
+// and from folders of its own layer without circles. Some libraries are known to few folders. `node layers.mjs` names
+// every import that breaks this.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
@@ -51,7 +51,8 @@ export function objections(imports, folders, rules = layers) {
     const own = folderOf(from);
     if ('library' in what) {
       const [, few] = Object.entries(libraries).find(([name]) => what.library.startsWith(name)) ?? [];
-      if (few && !few.includes(own)) found.push(`${from} imports ${what.library}, which only ${few.join(', ')} may know`);
+      if (few && !few.includes(own))
+        found.push(`${from} imports ${what.library}, which only ${few.join(', ')} may know`);
       continue;
     }
     const { to } = what;
@@ -93,7 +94,9 @@ function circleIn(beside) {
 export function importsOf(/** @type {string} */ file, /** @type {string} */ text) {
   const from = file.replace(/\.tsx?$/, '');
   const named = ts.preProcessFile(text).importedFiles.map(({ fileName }) => fileName);
-  return named.map((name) => (name.startsWith('.') ? { from, to: posix.join(posix.dirname(file), name) } : { from, library: name }));
+  return named.map((name) =>
+    name.startsWith('.') ? { from, to: posix.join(posix.dirname(file), name) } : { from, library: name },
+  );
 }
 
 /// The files of src and their texts.

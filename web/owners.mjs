@@ -1,5 +1,5 @@
-// The check that a piece of state has one owner: a signal is set only in the module that has it. `node owners.mjs` names every
-// module that sets an imported one.
+// The check that a piece of state has one owner: a signal is set only in the module that has it. `node owners.mjs` names
+// every module that sets an imported one.
 
 import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
