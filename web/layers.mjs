@@ -1,6 +1,6 @@
 // The layers of src, from low to high, and the check that no import points upward: a folder imports from lower layers,
-// and from folders of its own layer without circles. Some libraries are known to few folders. `node layers.mjs` names
-// every import that breaks this.
+// and from folders before it in its own layer. Some libraries are known to few folders. `node layers.mjs` names every
+// import that breaks this.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join, posix } from 'node:path';
@@ -38,15 +38,14 @@ const folderOf = (/** @type {string} */ file) => file.slice(0, file.indexOf('/')
 /// @param {readonly Import[]} imports
 /// @param {readonly string[]} folders
 export function objections(imports, folders, rules = layers) {
-  const levels = new Map(rules.flatMap(({ folders: own }, level) => own.map((folder) => [folder, level])));
+  const order = rules.flatMap(({ name, folders: own }) => own.map((folder) => ({ folder, layer: name })));
+  const placeOf = (/** @type {string} */ folder) => order.findIndex((each) => each.folder === folder);
   const found = [
-    ...folders.filter((folder) => !levels.has(folder)).map((folder) => `${folder} is in no layer (web/layers.mjs)`),
-    ...[...levels.keys()]
-      .filter((folder) => !folders.includes(folder))
-      .map((folder) => `the layer of ${folder} is declared, but there is no such folder`),
+    ...folders.filter((folder) => placeOf(folder) < 0).map((folder) => `${folder} is in no layer (web/layers.mjs)`),
+    ...order
+      .filter(({ folder }) => !folders.includes(folder))
+      .map(({ folder }) => `the layer of ${folder} is declared, but there is no such folder`),
   ];
-  /** @type {Map<string, Set<string>>} */
-  const beside = new Map(folders.map((folder) => [folder, new Set()]));
   for (const { from, ...what } of imports) {
     const own = folderOf(from);
     if ('library' in what) {
@@ -55,38 +54,13 @@ export function objections(imports, folders, rules = layers) {
         found.push(`${from} imports ${what.library}, which only ${few.join(', ')} may know`);
       continue;
     }
-    const { to } = what;
-    const other = folderOf(to);
-    const [level, above] = [levels.get(own) ?? 0, levels.get(other) ?? 0];
-    if (above > level) found.push(`${from} imports ${to}: ${rules[level].name} may not know ${rules[above].name}`);
-    else if (own !== other && above === level) beside.get(own)?.add(other);
+    const [lower, higher] = [order[placeOf(own)], order[placeOf(folderOf(what.to))]];
+    if (!lower || !higher || order.indexOf(higher) <= order.indexOf(lower)) continue;
+    const isBeside = lower.layer === higher.layer;
+    const why = isBeside ? `${own} is before ${higher.folder} in the list` : `${lower.layer} may not know ${higher.layer}`;
+    found.push(`${from} imports ${what.to}: ${why}`);
   }
-  const circle = circleIn(beside);
-  if (circle) found.push(`the folders of a layer import each other in a circle: ${circle.join(' -> ')}`);
   return found;
-}
-
-/// The folders on a circle of imports, the first one also at its end; null where there is none.
-/// @param {ReadonlyMap<string, ReadonlySet<string>>} beside
-/// @returns {string[] | null}
-function circleIn(beside) {
-  const done = new Set();
-  /** @type {(folder: string, way: string[]) => string[] | null} */
-  const walk = (folder, way) => {
-    if (way.includes(folder)) return [...way.slice(way.indexOf(folder)), folder];
-    if (done.has(folder)) return null;
-    for (const next of beside.get(folder) ?? []) {
-      const circle = walk(next, [...way, folder]);
-      if (circle) return circle;
-    }
-    done.add(folder);
-    return null;
-  };
-  for (const folder of beside.keys()) {
-    const circle = walk(folder, []);
-    if (circle) return circle;
-  }
-  return null;
 }
 
 /// The imports of a file of src.

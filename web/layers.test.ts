@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { importsOf, layers, objections, objectionsToSource } from './layers.mjs';
 
-test('no folder of the page imports from a higher layer or in a circle', () => {
+test('no folder of the page imports from a higher one', () => {
   const { count, found } = objectionsToSource();
   expect(found).toEqual([]);
   expect(count).toBeGreaterThan(1000);
@@ -15,17 +15,16 @@ const folders = ['a', 'b', 'c', 'd', 'e'];
 const importing = (...pairs: string[]) =>
   objections(pairs.map((pair) => ({ from: `${pair[0]!}/x`, to: `${pair[1]!}/y` })), folders, rules);
 
-test('imports within a folder, downward, and sideways one way are allowed', () => {
-  expect(importing('aa', 'ca', 'db', 'ab', 'cd', 'de', 'ce')).toEqual([]);
+test('imports within a folder, downward, and of folders before it in its layer are allowed', () => {
+  expect(importing('aa', 'ca', 'db', 'ba', 'dc', 'ed', 'ec')).toEqual([]);
 });
 
 test('an upward import would be found', () => {
   expect(importing('ca', 'bd')).toEqual(['b/x imports d/y: low may not know high']);
 });
 
-test('a circle would be found', () => {
-  expect(importing('cd', 'de', 'ec')).toEqual(['the folders of a layer import each other in a circle: c -> d -> e -> c']);
-  expect(importing('ab', 'ba')).toHaveLength(1);
+test('an import of a folder after it in its layer would be found', () => {
+  expect(importing('dc', 'cd')).toEqual(['c/x imports d/y: c is before d in the list']);
 });
 
 test('a library in a wrong folder would be found', () => {
