@@ -64,7 +64,7 @@ validate: program
 	@for f in validation/*/results.csv; do diff $$f out/$$f || exit 1; done
 
 bench: setup
-	@cmake --preset bench >/dev/null && cmake --build --preset bench
+	@cmake --preset bench -DTALUS_UNITY=ON >/dev/null && cmake --build --preset bench
 	@bench/run-all build-bench
 
 asan: setup-test

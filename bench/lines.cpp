@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   Problems warnings;
   const Model model = project::build_model(reading.project, warnings);
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "talus-bench-lines.bin";
-  StoreObserver store(256'000'000, model);
+  StoreObserver store(StoreBudget{.bytes = 256'000'000}, model);
   Observer* const observers[] = {&store};
   (void)run_campaign(model, observers, {0, nullptr, {}});
   const StoreExtent extent = store.write(file, model.rocks());

@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     Observer* const without[] = {&ends};
     bare.push_back(bench::seconds([&] { (void)run_campaign(model, without, {threads, nullptr, {}}); }));
     hash = ends.hash();
-    StoreObserver store(256'000'000, model);
+    StoreObserver store(StoreBudget{.bytes = 256'000'000}, model);
     Pieces same;
     Observer* const with[] = {&same, &store};
     stored.push_back(bench::seconds([&] { (void)run_campaign(model, with, {threads, nullptr, {}}); }));
