@@ -163,15 +163,15 @@ TEST(PieceMaxima, AreThoseOfTheRunOverASection) {
   });
 }
 
-// All parts in one walk along the surface, or each part alone: across borders of cells and within them.
-TEST(PieceMaxima, HeightsOfAllPartsAreThoseOfEachAlone) {
-  Dice dice(24);
-  RasterGrid grid{.columns = 31, .rows = 31};
-  for (int k = 0; k < 31 * 31; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 2)));
-  const RasterSurface surface(grid);
+// All parts in one walk along the surface, or in one search, or each part alone: across borders of cells and within
+// them.
+template <class Surface>
+void expect_heights_of_parts_alone(Dice& dice, const Surface& surface, double size) {
+  int above = 0;
   for (int trial = 0; trial < 500; ++trial) {
     PathPiece piece;
-    piece.path = {{dice.between(-3, 33), dice.between(-3, 33), dice.between(3, 9)}, dice.in_cube(8), {0, 0, -9.81}};
+    const double x = dice.between(-3, size + 3), y = dice.between(-3, size + 3);
+    piece.path = {{x, y, surface.elevation(x, y).value_or(0) + dice.between(1, 7)}, dice.in_cube(8), {0, 0, -9.81}};
     if (dice.chance(0.1)) piece.path.v = {0, 0, piece.path.v.z()};
     piece.duration = dice.between(0.1, 2);
     std::vector<double> borders{0, piece.duration};
@@ -182,8 +182,18 @@ TEST(PieceMaxima, HeightsOfAllPartsAreThoseOfEachAlone) {
     for (std::size_t k = 0; k < heights.size(); ++k) {
       const double alone = max_height_of_flight(surface, piece.path, borders[k], borders[k + 1], 0);
       ASSERT_NEAR(heights[k], alone, 1e-9) << trial << ": part " << k;
+      above += heights[k] > 0 ? 1 : 0;
     }
   }
+  EXPECT_GT(above, 1000);
+}
+
+TEST(PieceMaxima, HeightsOfAllPartsAreThoseOfEachAlone) {
+  Dice dice(24);
+  RasterGrid grid{.columns = 31, .rows = 31};
+  for (int k = 0; k < 31 * 31; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 2)));
+  expect_heights_of_parts_alone(dice, RasterSurface(grid), 30);
+  expect_heights_of_parts_alone(dice, random_slope(dice, 10, 20, 0.5, 1).mesh(), 20);
 }
 
 // If a facet is below the whole leg, the height is computed from it alone; if not, from the surface.

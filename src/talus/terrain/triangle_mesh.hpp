@@ -44,6 +44,8 @@ class TriangleMesh {
                                                             const SupportPlanes& on) const;
   [[nodiscard]] Exit exit(const Parabola& path) const;
   [[nodiscard]] double max_height(const Parabola& path, double t_end, double known) const;
+  /// As that of a raster (raster_surface.hpp).
+  void max_heights(const Parabola& path, std::span<const double> borders, std::span<double> heights) const;
   [[nodiscard]] std::optional<double> elevation(double x, double y,
                                                 double below = std::numeric_limits<double>::infinity()) const;
   [[nodiscard]] bool has_ground_below(const Vec3& place, FacetId near) const;
