@@ -110,7 +110,7 @@ class Declaration(unittest.TestCase):
 
     def test_defaults_are_left_out_of_the_project_file(self):
         self.assertIsNone(self.setting("analysis", "gravity_m_s2").to_file(9.80665))
-        self.assertIsNone(self.setting("output", "percentiles").to_file("[50, 95, 99]"))
+        self.assertIsNone(self.setting("design", "percentiles").to_file("[50, 95, 99]"))
         self.assertEqual(self.setting("analysis", "gravity_m_s2").to_file(9.81), 9.81)
         self.assertEqual(self.setting("output", "maps").to_file([]), [])
 
