@@ -61,6 +61,12 @@ class Algorithm(QgsProcessingAlgorithm):
         except (OSError, ValueError):
             return None
 
+    def path(self, values, name, context):
+        """The file or folder that a parameter gives, as an absolute path: on the command line it may be relative."""
+        is_output = self.parameterDefinition(name).isDestination()
+        given = (self.parameterAsFileOutput if is_output else self.parameterAsFile)(values, name, context)
+        return os.path.abspath(given)
+
     def add(self, parameter, help_text):
         parameter.setHelp(help_text)
         self.addParameter(parameter)

@@ -1,3 +1,5 @@
+import os
+
 from .. import program
 from .project import ProjectAlgorithm
 
@@ -14,4 +16,4 @@ class Check(ProjectAlgorithm):
         project = self.write_project(values, context, feedback)
         if not feedback.isCanceled():
             program.run(["check", project], feedback)
-        return {"PROJECT_FILE": project, "OUTPUT": self.parameterAsString(values, "OUTPUT", context)}
+        return {"PROJECT_FILE": project, "OUTPUT": os.path.dirname(project)}

@@ -92,7 +92,7 @@ class DesignAlongLine(Algorithm):
         return found
 
     def processAlgorithm(self, values, context, feedback):
-        results = self.parameterAsFile(values, "RESULTS", context)
+        results = self.path(values, "RESULTS", context)
         source = self.parameterAsSource(values, "LINES", context)
         crs = crs_of_results(results)
         transform = self.transform(source, crs, context)

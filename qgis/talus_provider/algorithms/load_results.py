@@ -20,4 +20,4 @@ class LoadResults(Algorithm):
         return True, ""  # without the program, too
 
     def processAlgorithm(self, values, context, feedback):
-        return {"LAYERS": results.load(self.parameterAsFile(values, "RESULTS", context), context, feedback)}
+        return {"LAYERS": results.load(self.path(values, "RESULTS", context), context, feedback)}

@@ -246,7 +246,7 @@ class ProjectAlgorithm(Algorithm):
     def write_project(self, values, context, feedback):
         """Writes the project file and its layers, and returns its path."""
         name = self.parameterAsString(values, "NAME", context).strip()
-        folder = self.parameterAsString(values, "OUTPUT", context)
+        folder = self.path(values, "OUTPUT", context)
         if not re.fullmatch(r"\w[\w .-]*", name):
             raise QgsProcessingException(
                 f'"{name}" is no name of a project: use letters, digits, spaces, points, hyphens.'

@@ -30,7 +30,7 @@ class RunProject(Algorithm):
         self.addOutput(QgsProcessingOutputFolder("RESULTS", "Folder of the results"))
 
     def processAlgorithm(self, values, context, feedback):
-        project = self.parameterAsFile(values, "PROJECT_FILE", context)
+        project = self.path(values, "PROJECT_FILE", context)
         folder = os.path.splitext(project)[0]
         options = ["--resume"] if self.parameterAsBoolean(values, "RESUME", context) else []
         run_and_load(project, folder, options, self.parameterAsBoolean(values, "LOAD", context), context, feedback)
