@@ -30,8 +30,10 @@ def crs_text(crs):
 class Terrain:
     """The DEM, as it is when an algorithm is prepared (in QGIS's own thread)."""
 
-    def __init__(self, layer, crs_if_unknown):
+    def __init__(self, layer, crs_if_unknown, crs_parameter):
         self.name = layer.name()
+        self.crs_if_unknown = crs_if_unknown
+        self.crs_parameter = crs_parameter
         self.provider = layer.dataProvider().clone()
         self.crs = QgsCoordinateReferenceSystem(layer.crs())
         self.is_local = not self.crs.isValid() and crs_if_unknown == "local"
@@ -43,14 +45,20 @@ class Terrain:
     def problems(self):
         if self.has_two:
             yield (
-                f'The DEM "{self.name}" is in {crs_text(self.crs)}, so that the setting of a coordinate system of the '
-                "terrain has no effect. Leave it empty."
+                f'The DEM "{self.name}" is in {crs_text(self.crs)}, so that '
+                f"{self.crs_parameter} has no effect. Leave it empty."
             )
         if not self.crs.isValid():
-            if not self.is_local:
+            if self.crs_if_unknown and not self.is_local:
                 yield (
-                    f'The DEM "{self.name}" has no coordinate system. Set it in the properties of the layer, or '
-                    'enter it, or "local" if its coordinates are metres without a map, as that of the terrain.'
+                    f'The DEM "{self.name}" has no coordinate system, and {self.crs_parameter} is '
+                    f'"{self.crs_if_unknown}", which QGIS does not know. Give a code such as EPSG:25832, or local.'
+                )
+            elif not self.is_local:
+                yield (
+                    f'The DEM "{self.name}" has no coordinate system. Set it in the properties of the layer, or by '
+                    f"{self.crs_parameter}: a code such as EPSG:25832, or local if the coordinates are metres without a"
+                    " map."
                 )
         elif self.crs.isGeographic():
             yield (
@@ -102,8 +110,9 @@ class Features:
     """The features of a vector layer that an algorithm is given: the selected ones, or all, as the layer shows them.
     What concerns the layer itself is read at once, in QGIS's own thread."""
 
-    def __init__(self, purpose, source, layer, terrain, context):
+    def __init__(self, purpose, parameter, source, layer, terrain, context):
         self.purpose = purpose
+        self.parameter = parameter
         self.source = source
         self.is_edited = layer is not None and layer.isEditable() and layer.isModified()
         self.is_selection = layer is not None and source.featureCount() < layer.featureCount()
@@ -126,12 +135,14 @@ class Features:
             if self.terrain.crs.isValid():
                 yield (
                     f"{layer} has no coordinate system, while the DEM is in {crs_text(self.terrain.crs)}. Set it in the"
-                    " properties of the layer."
+                    f" properties of the layer, or give {self.parameter} a file with a coordinate system (ogr2ogr"
+                    " -a_srs writes one)."
                 )
         elif self.terrain.is_local:
             yield (
                 f"{layer} is in {crs_text(self.crs)}, while the DEM has no coordinate system, so that it is not known "
-                "where it lies. Set the coordinate system of the DEM."
+                f"where it lies. Give {self.terrain.crs_parameter} the coordinate system of the DEM instead of local, "
+                f"or give {self.parameter} a layer without one."
             )
         yield from self.problems_of_place(layer)
 

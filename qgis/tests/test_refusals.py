@@ -17,6 +17,7 @@ from qgis.core import (
 from support import PROGRAM, VALLEY, Case, Feedback, ProcessingConfig, vector
 
 UTM = "EPSG:25832"
+CREST = "LINESTRING (652300 5234300, 652400 5234300)"
 TRIANGLE = "POLYGON ((652250 5234230, 652450 5234230, 652450 5234400, 652250 5234230))"
 
 
@@ -39,7 +40,17 @@ class Refusals(Case):
         self.assertIn("feet", self.refused(DEM=self.dem("EPSG:2263")))
 
     def test_dem_without_coordinate_system(self):
-        self.assertIn('The DEM "hill" has no coordinate system', self.refused(DEM=self.dem("")))
+        self.assertEqual(
+            'The DEM "hill" has no coordinate system. Set it in the properties of the layer, or by "Terrain: coordinate'
+            ' system" (TERRAIN_CRS): a code such as EPSG:25832, or local if the coordinates are metres without a map.',
+            self.refused(DEM=self.dem(""), RELEASE=None),
+        )
+
+    def test_dem_with_an_unknown_coordinate_system(self):
+        self.assertIn(
+            '"Terrain: coordinate system" (TERRAIN_CRS) is "UTM 32", which QGIS does not know',
+            self.refused(DEM=self.dem(""), TERRAIN_CRS="UTM 32", RELEASE=None),
+        )
 
     def test_dem_with_hidden_values(self):
         layer = QgsRasterLayer(str(VALLEY), "hill")
@@ -47,13 +58,16 @@ class Refusals(Case):
         self.assertIn('The DEM "hill" hides values', self.refused(DEM=layer))
 
     def test_dem_with_two_coordinate_systems(self):
-        self.assertIn("Leave it empty", self.refused(TERRAIN_CRS="EPSG:25833"))
+        self.assertIn(
+            '"Terrain: coordinate system" (TERRAIN_CRS) has no effect. Leave it empty.',
+            self.refused(TERRAIN_CRS="EPSG:25833"),
+        )
 
     def test_local_dem_with_layers_that_are_somewhere(self):
-        self.assertIn(
-            'The layer "cliffs" (release) is in EPSG:4326, while the DEM has no coordinate system',
-            self.refused(DEM=self.dem(""), TERRAIN_CRS="local"),
-        )
+        text = self.refused(DEM=self.dem(""), TERRAIN_CRS="local")
+        self.assertIn('The layer "cliffs" (release) is in EPSG:4326, while the DEM has no coordinate system', text)
+        self.assertIn('Give "Terrain: coordinate system" (TERRAIN_CRS) the coordinate system of the DEM', text)
+        self.assertIn('give "Release areas, lines or points" (RELEASE) a layer without one', text)
 
     def test_layer_without_coordinate_system(self):
         layer = vector("Polygon", "", [], [(TRIANGLE, [])], "faces")
@@ -61,6 +75,34 @@ class Refusals(Case):
         self.assertIn(
             'The layer "faces" (release) has no coordinate system, while the DEM is in EPSG:25832',
             self.refused(RELEASE=layer),
+        )
+
+    def test_each_layer_without_coordinate_system_names_its_parameter(self):
+        for name, title, kind, wkt in (
+            ("RELEASE", "Release areas, lines or points", "Polygon", TRIANGLE),
+            ("GROUND", "Ground polygons", "Polygon", TRIANGLE),
+            ("FORESTS", "Forest polygons", "Polygon", TRIANGLE),
+            ("BARRIERS", "Barriers", "LineString", CREST),
+            ("COLLECTORS", "Collectors", "LineString", CREST),
+            ("RUNOUT", "Output: line along which runout is counted", "LineString", CREST),
+        ):
+            with self.subTest(name):
+                layer = vector(kind, "", [], [(wkt, [])], "bare")
+                layer.setCrs(QgsCoordinateReferenceSystem())
+                self.assertIn(
+                    f'Set it in the properties of the layer, or give "{title}" ({name}) a file with a coordinate system',
+                    self.refused(**{name: layer}),
+                )
+
+    def test_lines_of_a_design_without_coordinate_system(self):
+        found = self.simulate()
+        layer = vector("LineString", "", [], [(CREST, [])], "bare")
+        layer.setCrs(QgsCoordinateReferenceSystem())
+        self.assertIn(
+            'Give "Lines" (LINES) a layer with a coordinate system.',
+            self.refusal(
+                lambda: self.run_algorithm("designalongline", RESULTS=found["RESULTS"], LINES=layer, OUTPUT="memory:")
+            ),
         )
 
     def test_empty_layer(self):

@@ -61,6 +61,10 @@ class Algorithm(QgsProcessingAlgorithm):
         except (OSError, ValueError):
             return None
 
+    def named(self, name):
+        """A parameter as its user meets it, by its name in the dialog and on the command line."""
+        return f'"{self.parameterDefinition(name).description()}" ({name})'
+
     def path(self, values, name, context):
         """The file or folder that a parameter gives, as an absolute path: on the command line it may be relative."""
         is_output = self.parameterDefinition(name).isDestination()

@@ -122,8 +122,8 @@ class DesignAlongLine(Algorithm):
             )
             other = f"are in {crs_text(crs)}" if crs.isValid() else "have no coordinate system"
             raise QgsProcessingException(
-                f'The layer "{name}" (lines) {known}, while the results {other}. Set the coordinate '
-                "system of the layer."
+                f'The layer "{name}" (lines) {known}, while the results {other}. Give {self.named("LINES")} a layer '
+                f"{'with' if crs.isValid() else 'without'} a coordinate system."
             )
         return QgsCoordinateTransform(source.sourceCrs(), crs, context.transformContext())
 

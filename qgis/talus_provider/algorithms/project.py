@@ -218,7 +218,8 @@ class ProjectAlgorithm(Algorithm):
         layer = self.parameterAsRasterLayer(values, "DEM", context)
         if layer is None or not layer.isValid():
             raise QgsProcessingException("The layer of the DEM could not be read.")
-        self.terrain = Terrain(layer, self.parameterAsString(values, "TERRAIN_CRS", context))
+        crs = self.parameterAsString(values, "TERRAIN_CRS", context).strip()
+        self.terrain = Terrain(layer, crs, self.named("TERRAIN_CRS"))
         self.chosen = self.features(values, context)
         return True
 
@@ -240,7 +241,9 @@ class ProjectAlgorithm(Algorithm):
             source = self.parameterAsSource(values, name, context)
             if source is None:
                 raise QgsProcessingException(self.invalidSourceError(values, name))
-            found[name] = Features(purpose, source, layer_of(values[name], context), self.terrain, context)
+            found[name] = Features(
+                purpose, self.named(name), source, layer_of(values[name], context), self.terrain, context
+            )
         return found
 
     def write_project(self, values, context, feedback):
