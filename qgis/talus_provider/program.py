@@ -10,33 +10,72 @@ import selectors
 import shutil
 import signal
 import subprocess
+from pathlib import Path
 
 from qgis.core import QgsProcessingException
 
 from processing.core.ProcessingConfig import ProcessingConfig
 
 SETTING = "TALUS_PROGRAM"
-MISSING = (
-    "The program talus was not found. Install Talus, or give its place in Settings > Options > Processing > "
-    "Providers > Talus."
-)
+SETTING_PLACE = "Settings > Options > Processing > Providers > Talus"
+INSTALLED_IN = ("share", "qgis", "python", "plugins")
+PLUGIN = Path(__file__).resolve().parent
 
 DONE, STOPPED = 0, 3  # exit codes; others are errors
 PROGRESS = re.compile(r"(\d+) of (\d+) rocks \(\d+ %\)")
 PAINT = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
+def is_program(path):
+    return os.path.isfile(path) and os.access(path, os.X_OK)
+
+
+def places():
+    """Where the program may be without being on the PATH: beside the plugin or in an archive unpacked there, in the
+    prefix into which both were installed, and where packages, users and archives put it."""
+    home = Path.home()
+    beside = (PLUGIN, PLUGIN / "bin", *archives(PLUGIN), PLUGIN.parent, *archives(PLUGIN.parent))
+    installed = [PLUGIN.parents[3].parent / "bin"] if PLUGIN.parts[-5:-1] == INSTALLED_IN else []
+    usual = (Path("/usr/local/bin"), Path("/usr/bin"), home / ".local/bin", home / "talus/bin", *archives(home))
+    return list(dict.fromkeys([*beside, *installed, *usual]))
+
+
+def archives(folder):
+    """The folders of the program in archives that were unpacked in a folder."""
+    return sorted(folder.glob("talus-*/bin"), reverse=True)
+
+
 def find():
-    """The path of the program, or None."""
+    """The path of the program; raises OSError with where it was sought."""
     chosen = ProcessingConfig.getSetting(SETTING)
-    return chosen if chosen else shutil.which("talus")
+    if chosen:
+        if not is_program(chosen):
+            raise OSError(f"{chosen} is no program, but {SETTING_PLACE} names it. Correct it or leave it empty.")
+        return chosen
+    on_path = shutil.which("talus")
+    if on_path:
+        return on_path
+    for place in places():
+        if is_program(place / "talus"):
+            return str(place / "talus")
+    raise OSError(
+        f"The program talus was not found on the PATH ({os.environ.get('PATH', '')}), nor in "
+        f"{', '.join(map(str, places()))}. Install it, with apt install ./talus_*.deb, or unpack its archive in "
+        f"{PLUGIN.parent}; or give its place in {SETTING_PLACE}."
+    )
+
+
+def found():
+    """The path of the program, for an algorithm that needs it."""
+    try:
+        return find()
+    except OSError as error:
+        raise QgsProcessingException(str(error)) from None
 
 
 def schema():
     """The declaration of all settings; raises OSError or ValueError if the program does not print it."""
     path = find()
-    if path is None:
-        raise OSError(MISSING)
     return schema_of(path, os.stat(path).st_mtime_ns)
 
 
@@ -50,9 +89,7 @@ def schema_of(path, _changed):
 
 def ask(arguments):
     """Runs the program to its end and returns what it prints; its errors become those of the algorithm."""
-    path = find()
-    if path is None:
-        raise QgsProcessingException(MISSING)
+    path = found()
     try:
         answer = subprocess.run([path, *arguments], capture_output=True, text=True)
     except OSError as error:  # such as a line with more corners than fit on a command line
@@ -65,9 +102,7 @@ def ask(arguments):
 def run(arguments, feedback):
     """Runs the program and returns DONE or STOPPED. Cancel interrupts it, so that it keeps what is done. Its standard
     error is a terminal of ours, because on a terminal it reports its progress ten times a second."""
-    path = find()
-    if path is None:
-        raise QgsProcessingException(MISSING)
+    path = found()
     feedback.pushCommandInfo(" ".join([path, *arguments]))
     ours, its = pty.openpty()
     process = subprocess.Popen([path, *arguments], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=its)

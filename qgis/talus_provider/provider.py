@@ -16,7 +16,7 @@ ICON = os.path.join(os.path.dirname(__file__), "icon.svg")
 
 
 def refuse_wrong_program(path):
-    if path and not os.access(path, os.X_OK):
+    if path and not program.is_program(path):
         raise ValueError(f"{path} is not a program")
 
 
@@ -27,7 +27,7 @@ class TalusProvider(QgsProcessingProvider):
             Setting(
                 self.name(),
                 program.SETTING,
-                "Program talus (empty: the one in PATH)",
+                "Program talus (empty: found on the PATH and in the usual places)",
                 "",
                 valuetype=Setting.FILE,
                 validator=refuse_wrong_program,

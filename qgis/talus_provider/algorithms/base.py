@@ -54,6 +54,10 @@ class Algorithm(QgsProcessingAlgorithm):
             return False, str(error)
         return True, ""
 
+    def checkParameterValues(self, values, context):
+        can, why = self.canExecute()  # processing.run does not ask
+        return super().checkParameterValues(values, context) if can else (False, why)
+
     def schema(self):
         """The declaration of the settings, or None while there is no program; canExecute then says so."""
         try:
