@@ -41,7 +41,7 @@ install(DIRECTORY examples/library DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libt
 
 # Where QGIS of the distribution looks for plugins, if the prefix is /usr.
 install(DIRECTORY qgis/talus_provider DESTINATION ${CMAKE_INSTALL_DATADIR}/qgis/python/plugins COMPONENT qgis
-  PATTERN __pycache__ EXCLUDE)
+  PATTERN __pycache__ EXCLUDE PATTERN LICENSE EXCLUDE)  # Debian has the licence in a file of its own
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/Talus)
 get_target_property(TALUS_KERNEL talus_trajectory LINK_LIBRARIES)  # the rooms below it, and talus_flags
