@@ -62,7 +62,9 @@ int main(int argc, char** argv) {
   fmt::print("on waves: {} rocks, {} threads, {:.2f} s without maps, hash {:016x}\n", rocks, threads, bare,
              ends.hash());
 
-  MapObserver maps(MapGrid::around_nodes({0, 0}, {1, 1}, {}), max_height_over(surface, RockModel::lumped_mass));
+  const MapSelection selection{.percentiles = {95}, .means = false};
+  MapObserver maps(MapGrid::around_nodes({0, 0}, {1, 1}, {}), max_height_over(surface, RockModel::lumped_mass),
+                   std::nullopt, contents_of(selection));
   Observer* const with[] = {&maps};
   const double mapped = bench::seconds([&] {
     (void)run_campaign(model, with, {threads, nullptr, {}});
@@ -77,7 +79,6 @@ int main(int argc, char** argv) {
   fmt::print("  hash {:016x}\n", hash_of(maps));
 
   const std::filesystem::path folder = std::filesystem::temp_directory_path() / "talus-bench-maps";
-  const MapSelection selection{.percentiles = {50, 95, 99}};
   std::size_t files = 0;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
   const double writing = bench::seconds([&] { files = write_maps(made, selection, "", folder).size(); });
