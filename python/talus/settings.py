@@ -858,7 +858,7 @@ class Output(Table):
     are written are always included. Range: at least 0, at most 1e+12. Default: "all".
 
     paths: Number of rocks with a path in `paths.csv`: `"all"`, `"none"` or a number, evenly spread. Range: at least
-    0, at most 1e+12. Default: 2000.
+    0, at most 1e+12. Default: 300.
 
     impacts: Number of rocks whose impacts are in `impacts.csv`: `"all"`, `"none"` or a number, evenly spread. With
     `"none"`, the file is not written. Range: at least 0, at most 1e+12. Default: "none".
