@@ -3,9 +3,10 @@
 
     bench/beside_saga.py PROGRAM [DEM.tif] [--rounds N]
 
-SAGA is Debian's package `saga` (saga_cmd, 8.5); the script needs `python3-rasterio`. Without a DEM, the slope of waves of the benchmarks is used (rough_slope.hpp:
-1025 x 1025 cells of 1 m). A DEM must have square cells of 1 m in a projected system, and fall towards the east. Rocks
-start along a line 8 m from the western edge, from 50 m north of the southern edge to 50 m south of the northern one.
+SAGA is Debian's package `saga` (saga_cmd, 8.5); the script needs `python3-rasterio`. Without a DEM, the slope of waves of
+the benchmarks is used (rough_slope.hpp: 1025 x 1025 cells of 1 m). A DEM must have square cells of 1 m in a projected
+system, and fall towards the east. Rocks start along a line 8 m from the western edge, from 50 m north of the southern edge
+to 50 m south of the northern one.
 
 Both write what they write unless told otherwise: SAGA three rasters (process area, maximum velocity, stopping positions)
 without compression, Talus all default outputs. What they compute differs: SAGA moves a mass point from cell to cell by a

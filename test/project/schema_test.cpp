@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -134,10 +135,12 @@ TEST(ReferencePage, NamesEverySettingAndItsMeaning) {
   const auto expect_named = [&](const Table& table) {
     for (const Setting& setting : table.settings) {
       EXPECT_NE(page.find("| `" + std::string(setting.key) + "` |"), std::string::npos) << row_name(table, setting);
-      // That paths are relative to the project file the page says once.
-      std::string_view meaning = setting.meaning;
-      for (const char* end : {" The path is relative", " Paths are relative", "|"})
-        meaning = meaning.substr(0, meaning.find(end));
+      // That paths are relative to the project file the page says once; bars are escaped in a table.
+      std::string meaning(setting.meaning);
+      for (const char* once :
+           {" The path is relative to the project file.", " Paths are relative to the project file."})
+        meaning = std::regex_replace(meaning, std::regex(once), "");
+      meaning = std::regex_replace(meaning, std::regex(R"(\|)"), R"(\|)");
       EXPECT_NE(page.find(meaning), std::string::npos) << row_name(table, setting);
     }
   };

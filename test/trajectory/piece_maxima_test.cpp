@@ -194,6 +194,12 @@ TEST(PieceMaxima, HeightsOfAllPartsAreThoseOfEachAlone) {
   for (int k = 0; k < 31 * 31; ++k) grid.z.push_back(static_cast<float>(dice.between(0, 2)));
   expect_heights_of_parts_alone(dice, RasterSurface(grid), 30);
   expect_heights_of_parts_alone(dice, random_slope(dice, 10, 20, 0.5, 1).mesh(), 20);
+  Shape roof_over_floor = box({4, 4, 4}, {16, 16, 5});  // flights pass through the roof
+  const auto first = static_cast<std::uint32_t>(roof_over_floor.vertices.size());
+  roof_over_floor.vertices.insert(roof_over_floor.vertices.end(), {{0, 0, 0}, {20, 0, 0}, {20, 20, 0}, {0, 20, 0}});
+  roof_over_floor.triangles.push_back({first, first + 1, first + 2});
+  roof_over_floor.triangles.push_back({first, first + 2, first + 3});
+  expect_heights_of_parts_alone(dice, roof_over_floor.mesh(), 20);
 }
 
 // If a facet is below the whole leg, the height is computed from it alone; if not, from the surface.

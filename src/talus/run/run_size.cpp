@@ -185,18 +185,19 @@ std::optional<std::string> large_run_text(const RunSize& size, int threads) {
   if (size.bytes() <= large_bytes) return std::nullopt;
   struct Part {
     double bytes;
-    const char *name, *smaller;
+    const char* name;
+    std::string smaller;
   };
   std::string parts, smaller;
   for (const auto& [bytes, name, setting] :
-       {Part{size.paths_bytes, "paths.csv", "output.paths = 300"},
+       {Part{size.paths_bytes, "paths.csv", fmt::format("output.paths = {}", *Output{}.path_limit)},
         Part{size.endpoints_bytes, "endpoints.csv", "output.endpoints = \"none\""},
         Part{size.impacts_bytes, "impacts.csv", "output.impacts = 100"}, Part{size.barriers_bytes, "barriers.csv", ""},
         Part{size.maps_bytes, "maps", "fewer output.maps"}}) {
     constexpr double worth_naming = 0.05;
     if (bytes < worth_naming * size.bytes()) continue;
     parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, size_text(bytes));
-    if (*setting != '\0') smaller += fmt::format("{}{}", smaller.empty() ? "; less with " : " or ", setting);
+    if (!setting.empty()) smaller += fmt::format("{}{}", smaller.empty() ? "; less with " : " or ", setting);
   }
   return fmt::format("The results will take about {} ({}), the run about {} on {} {} if the disk keeps up{}",
                      size_text(size.bytes()), parts, time_text(size.processor_seconds / threads), threads,

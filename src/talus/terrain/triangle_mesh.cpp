@@ -282,24 +282,19 @@ double TriangleMesh::max_height(const Parabola& path, double t_end, double known
   return known;
 }
 
-// One search for all parts: for each part alone it takes most of the time of maps. What is in sight must be asked part
-// by part.
+// One search for all parts: a search for each part takes most of the time of maps.
 void TriangleMesh::max_heights(const Parabola& path, std::span<const double> borders, std::span<double> heights) const {
   std::fill(heights.begin(), heights.end(), 0);
-  if (!is_height_field_) {
-    for (std::size_t k = 0; k < heights.size(); ++k) {
-      const Parabola part{path.at(borders[k]), path.velocity(borders[k]), path.a};
-      heights[k] = max_height(part, borders[k + 1] - borders[k], 0);
-    }
-    return;
-  }
   const double half_g = 0.5 * path.a.z();
-  visit_under(path, borders.back(), 0, [&](const OverPlane& over, std::uint32_t) {
+  visit_under(path, borders.back(), 0, [&](const OverPlane& over, std::uint32_t facet) {
     const auto [enter, leave] = over.window;
     const auto first = std::lower_bound(borders.begin() + 1, borders.end() - 1, enter) - borders.begin() - 1;
     for (auto k = static_cast<std::size_t>(first); k < heights.size() && borders[k] <= leave; ++k) {
       const TimeWindow within{std::max(enter, borders[k]), std::min(leave, borders[k + 1])};
-      heights[k] = std::max(heights[k], max_height_over({within, over.h0, over.h1}, half_g));
+      double height = max_height_over({within, over.h0, over.h1}, half_g);
+      if (height <= heights[k]) continue;
+      if (!is_height_field_) height = max_height_in_sight(path, borders[k + 1] - borders[k], within, facet);
+      heights[k] = std::max(heights[k], height);
     }
   });
 }
