@@ -218,6 +218,19 @@ Model place_on_terrain(const Project& project, const BuiltTerrain& terrain, Prob
   return model;
 }
 
+/// Blocks that were built for the shape keep their hulls.
+void set_shapes(const Project& project, const Seeder& given, talus::Seeder& seeder) {
+  if (project.analysis.model != RockModel::rigid_body) {
+    seeder.shapes = RockShapes{};
+  } else if (!seeder.shapes->kinds.empty()) {
+    seeder.shapes = with_ratios(project, given.shape, *seeder.shapes);
+  } else {
+    std::string about;
+    Problems known;
+    seeder.shapes = build_shapes(project, given.shape, about, known);
+  }
+}
+
 }  // namespace
 
 void set_properties(const Project& project, Model& model) {
@@ -227,7 +240,7 @@ void set_properties(const Project& project, Model& model) {
     for (talus::Seeder& seeder : model.seeders) {
       if (seeder.name != given.name) continue;
       set_sizes_and_velocities(given, seeder);
-      if (!seeder.shapes->kinds.empty()) seeder.shapes = with_ratios(project, given.shape, *seeder.shapes);
+      set_shapes(project, given, seeder);
     }
   }
   for (std::size_t k = 0; k < model.barriers.size(); ++k) model.barriers[k].capacity = capacity_of(project.barriers[k]);

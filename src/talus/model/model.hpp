@@ -19,7 +19,8 @@ namespace talus::project {
 [[nodiscard]] Model build_model(const Project& project, const BuiltTerrain& terrain, Problems& warnings);
 
 /// Gives a model that was built from a project of the same terrain, places and names the materials, the laws, the
-/// barriers' capacities, and the sizes and velocities of releases of this one. What needs the terrain does not change.
+/// barriers' capacities, and the sizes, shapes and velocities of releases of this one. What needs the terrain does not
+/// change. Throws BadInput for a shape that cannot be built.
 void set_properties(const Project& project, Model& model);
 
 }  // namespace talus::project

@@ -12,6 +12,7 @@
 #include "talus/campaign/simulate.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/model/model.hpp"
+#include "talus/model/rock_models.hpp"
 #include "talus/model/samples.hpp"
 #include "talus/project/words.hpp"
 #include "talus/results/summary.hpp"
@@ -26,20 +27,6 @@ namespace {
 constexpr std::uint64_t rocks_per_sampled = 20, max_sampled = 200;
 constexpr std::uint64_t min_sampled = 72;  // statistics/order_statistics.hpp
 constexpr double percentile = 0.95, confidence = 0.95, factor = 2;
-
-bool is_default(const Distribution& given, const Distribution& usual) {
-  return given.kind == DistributionKind::none && given.mean == usual.mean;
-}
-
-/// Whether all materials have friction of their own for a model.
-bool knows_friction(const Project& project, RockModel model) {
-  const Material usual;
-  return std::ranges::none_of(project.materials, [&](const Material& material) {
-    if (has_extent(model)) return is_default(material.rolling_friction, usual.rolling_friction);
-    return project.analysis.friction_angle == FrictionSource::material &&
-           is_default(material.friction_angle_deg, usual.friction_angle_deg);
-  });
-}
 
 struct Values {
   double runout = 0, top = 0;  // [m]
@@ -109,7 +96,7 @@ std::optional<ModelComparison> compare_models(const Project& project, const Mode
   Project with_other = read_samples(project, known);
   RockModel& other = with_other.analysis.model;
   other = other == RockModel::lumped_mass ? RockModel::rigid_sphere : RockModel::lumped_mass;
-  if (!knows_friction(with_other, other)) return std::nullopt;
+  if (!materials_of_default_friction(with_other).empty()) return std::nullopt;
   Model by_other = model.without_surface();
   set_properties(with_other, by_other);
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
