@@ -7,6 +7,7 @@
 #include "low_priority.hpp"
 #include "talus/core/memory_reserve.hpp"
 #include "talus/core/stop.hpp"
+#include "talus/lines/side_view.hpp"
 #include "talus/lines/what_if_output.hpp"
 
 namespace talus::server {
@@ -109,7 +110,9 @@ void WhatIfJobs::work(Job& job) const {
             const std::lock_guard lock(mutex_);
             job.planned = job.done;
           }
-          tell("done", what_if::json_of(what_if, what_if.answer()));
+          Json answer = what_if::json_of(what_if, what_if.answer());
+          if (Json picture = what_if::side_view(what_if); !picture.is_null()) answer["side_view"] = std::move(picture);
+          tell("done", std::move(answer));
         }
       } catch (const Stopped&) {
         is_complete = false;

@@ -64,8 +64,8 @@ TEST_F(WhatIfCommand, WritesATableOfTheSteps) {
   ASSERT_EQ(said.exit_code, 0) << said.text;
   EXPECT_THAT(said.text, HasSubstr("5 sets of values, the same rocks in each\n"));
   EXPECT_THAT(said.text, HasSubstr("75 of 75 rocks in each set"));
-  EXPECT_THAT(said.text, HasSubstr("\nNormal restitution         -20 %  "));
-  EXPECT_THAT(said.text, HasSubstr("\nRock mass                  +50 %  "));
+  EXPECT_THAT(said.text, HasSubstr("\nNormal restitution               -20 %  "));
+  EXPECT_THAT(said.text, HasSubstr("\nRock mass                        +50 %  "));
   const std::string table = work_.read("what/what_if.csv");
   EXPECT_TRUE(table.starts_with("factor,step_percent,changes,clipped,rocks,crossing,gained,lost,share,")) << table;
   EXPECT_THAT(table, HasSubstr("\nbase,,,,75,"));

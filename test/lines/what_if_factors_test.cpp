@@ -81,8 +81,8 @@ mass +25 %: Crest 1.5 to 1.616
 
 TEST(Factors, ClipWhatWouldLeaveItsRange) {
   Problems warnings;
-  const auto variations =
-      variations_of(read(slope), {.steps = {{"normal_restitution", 0.1}}, .material = "Rock"}, "--step", warnings);
+  const auto variations = variations_of(
+      read(slope), {.steps = std::vector<Step>{{"normal_restitution", 0.1}}, .material = "Rock"}, "--step", warnings);
   ASSERT_EQ(variations.size(), 2u);
   EXPECT_EQ(variations[0].clipped, "");
   EXPECT_EQ(variations[1].clipped, "normal_restitution of Rock at 1");
@@ -95,7 +95,7 @@ TEST(Factors, ClipWhatWouldLeaveItsRange) {
 TEST(Factors, ReplaceTheWordOfAForest) {
   Problems warnings;
   const auto variations =
-      variations_of(read(slope), {.steps = {{"forest_drag", 0.2}}, .material = {}}, "--step", warnings);
+      variations_of(read(slope), {.steps = std::vector<Step>{{"forest_drag", 0.2}}}, "--step", warnings);
   ASSERT_EQ(variations.size(), 2u);
   const Variation& more = variations[1];
   EXPECT_DOUBLE_EQ(*more.project.materials[1].forest_drag_kg_s, 600);
@@ -136,15 +136,15 @@ TEST(Factors, OfASphereHaveItsFriction) {
 }
 
 TEST(Factors, RefuseWhatCannotBe) {
-  EXPECT_EQ(refusal(slope, {.steps = {{"normal_restitutions", 0.1}}, .material = {}}),
+  EXPECT_EQ(refusal(slope, {.steps = std::vector<Step>{{"normal_restitutions", 0.1}}}),
             "--step: there is no factor \"normal_restitutions\" (expected normal_restitution, tangential_restitution, "
             "friction_angle, dynamic_friction, rolling_friction, roughness, forest_drag, mass). Did you mean "
             "normal_restitution?");
-  EXPECT_EQ(refusal(slope, {.steps = {{"mass", 1}}, .material = {}}),
+  EXPECT_EQ(refusal(slope, {.steps = std::vector<Step>{{"mass", 1}}}),
             "--step: the step of mass is 100 % (expected a share of the value, above 0 and below 100 %)");
-  EXPECT_EQ(refusal(slope, {.steps = {{"mass", 0.1}, {"mass", 0.2}}, .material = {}}),
+  EXPECT_EQ(refusal(slope, {.steps = std::vector<Step>{{"mass", 0.1}, {"mass", 0.2}}}),
             "--step: mass is given twice (a factor has one step)");
-  EXPECT_EQ(refusal(slope, {.steps = {{"rolling_friction", 0.1}}, .material = {}}),
+  EXPECT_EQ(refusal(slope, {.steps = std::vector<Step>{{"rolling_friction", 0.1}}}),
             "--step: this project has no rolling_friction (it is not given, 0, from a file, or not of its rock model)");
   EXPECT_EQ(refusal(slope, {.steps = {}, .material = "Rok"}),
             "--step: there is no material \"Rok\" (the project has Rock, Wood). Did you mean \"Rock\"?");

@@ -16,6 +16,7 @@
 #include "support/simulated_paths.hpp"
 #include "talus/core/stop.hpp"
 #include "talus/lines/line_answer.hpp"
+#include "talus/lines/side_view.hpp"
 #include "talus/lines/varied_models.hpp"
 #include "talus/lines/what_if_output.hpp"
 #include "talus/model/model.hpp"
@@ -52,6 +53,8 @@ AskedPlace foot_area(const Model& model, Problems& warnings) {
   return drawn_area(model, corners, "polygon", warnings);
 }
 
+const FactorChoice only_models{.steps = std::vector<Step>{}, .models = true};
+
 void expect_same(const Figures& one, const Figures& other) {
   EXPECT_EQ(one.rocks, other.rocks);
   EXPECT_EQ(one.percentile, other.percentile);
@@ -64,7 +67,7 @@ void expect_same(const Figures& one, const Figures& other) {
 TEST(WhatIf, HasTheFiguresOfAFinishedRun) {
   for (const char* model : {"lumped_mass", "rigid_sphere"}) {
     const SimulatedRun run(replaced(bouncing_slope, "lumped_mass", model));
-    Asked asked(run.project, bench, {.steps = {{"roughness", 0.25}}, .material = {}});
+    Asked asked(run.project, bench, {.steps = std::vector<Step>{{"roughness", 0.25}}});
     EXPECT_TRUE(asked.what_if->run({}));
     const Answer answer = asked.what_if->answer();
     const AskedLine& line = std::get<AskedLine>(asked.what_if->place());
@@ -82,14 +85,15 @@ TEST(WhatIf, HasTheFiguresOfAFinishedRun) {
                         [static_cast<std::size_t>(place - finished.plan.percentiles.begin())];
     };
     EXPECT_EQ(*answer.base.percentile[0], of(CrossingQuantity::energy_translational));
-    EXPECT_EQ(*answer.base.percentile[1], of(CrossingQuantity::height));
-    EXPECT_EQ(*answer.base.percentile[2], of(CrossingQuantity::velocity));
+    EXPECT_EQ(*answer.base.percentile[1], of(CrossingQuantity::energy_total));
+    EXPECT_EQ(*answer.base.percentile[2], of(CrossingQuantity::height));
+    EXPECT_EQ(*answer.base.percentile[3], of(CrossingQuantity::velocity));
   }
 }
 
 TEST(WhatIf, HasTheFiguresOfAPolygon) {
   const SimulatedRun run(bouncing_slope);
-  Asked asked(run.project, foot_area, {.steps = {{"roughness", 0.25}}, .material = {}});
+  Asked asked(run.project, foot_area, {.steps = std::vector<Step>{{"roughness", 0.25}}});
   EXPECT_TRUE(asked.what_if->run({}));
   const AreaAnswer finished =
       ask_area(run.model, project::design_basis(run.project), run.paths, std::get<AskedArea>(asked.what_if->place()));
@@ -109,11 +113,76 @@ TEST(WhatIf, HasTheFiguresOfEachChangedProject) {
     for (std::size_t k = 0; k < answer.variations.size(); ++k) {
       const Variation& variation = asked.what_if->variations()[k];
       SCOPED_TRACE(std::string(factor_kinds[variation.kind].key) + step_text(variation));
-      Asked changed(variation.project, bench, {.steps = {{"mass", 0.1}}, .material = {}});
+      Asked changed(variation.project, bench, {.steps = std::vector<Step>{{"mass", 0.1}}});
       EXPECT_TRUE(changed.what_if->run({}));
       expect_same(answer.variations[k].figures, changed.what_if->answer(0).base);
     }
   }
+}
+
+/// A rock model is a run of the project with that model, from any other.
+TEST(WhatIf, HasTheFiguresOfEachRockModel) {
+  for (const char* model : {"lumped_mass", "rigid_sphere", "rigid_body"}) {
+    SCOPED_TRACE(model);
+    Asked asked(read(replaced(bouncing_slope, "lumped_mass", model)), bench, only_models);
+    EXPECT_TRUE(asked.what_if->run({}));
+    const Answer answer = asked.what_if->answer(0);
+    ASSERT_EQ(answer.variations.size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Variation& variation = asked.what_if->variations()[k];
+      ASSERT_TRUE(variation.model);
+      SCOPED_TRACE(step_text(variation));
+      EXPECT_EQ(variation.project.analysis.model, *variation.model);
+      Asked other(variation.project, bench, only_models);
+      EXPECT_TRUE(other.what_if->run({}));
+      const Figures& by_run = other.what_if->answer(0).base;
+      expect_same(answer.variations[k].figures, by_run);
+      EXPECT_EQ(answer.variations[k].figures.runout, by_run.runout);
+    }
+  }
+}
+
+/// Blocks of a project without shapes are those that were measured; a shape that it has stays.
+TEST(WhatIf, GivesBlocksAShape) {
+  const auto shape_of = [](const std::string& text) {
+    Problems warnings;
+    const auto others = variations_of(read(text), only_models, "--models", warnings);
+    return others.back().project.seeders.front().shape;
+  };
+  EXPECT_EQ(shape_of(bouncing_slope), "block");
+  EXPECT_EQ(shape_of(replaced(bouncing_slope, "rocks = 400", "rocks = 400\nshape = \"cube\"")), "cube");
+}
+
+/// The runout of all rocks is that of a run, whether they cross or not.
+TEST(WhatIf, TellsHowFarRocksGoWithoutAPlace) {
+  const auto nowhere = [](const Model&, Problems&) -> AskedPlace { return std::monostate{}; };
+  const SimulatedRun run(bouncing_slope);
+  Asked asked(run.project, nowhere, only_models);
+  EXPECT_TRUE(asked.what_if->run({.pictured = 10}));
+  const Figures base = asked.what_if->answer(0).base;
+  EXPECT_EQ(base.rocks, 0u);
+  EXPECT_FALSE(base.share);
+  std::vector<double> runouts;
+  std::uint64_t left = 0;
+  Simulator simulator(run.model, *run.model.surface);
+  for (std::uint64_t rock = 0; rock < run.model.rocks(); ++rock) {
+    const RockOutcome outcome = simulator.simulate(rock, false).outcome;
+    runouts.push_back((outcome.end.position - outcome.start.position).xy().norm());
+    left += outcome.reason == EndReason::left_model ? 1 : 0;
+  }
+  std::ranges::sort(runouts);
+  EXPECT_GE(base.runout_median->value, runouts[runouts.size() / 2 - 1]);
+  EXPECT_LE(base.runout_median->value, runouts[runouts.size() / 2]);
+  EXPECT_EQ(base.left->value, static_cast<double>(left) / static_cast<double>(run.model.rocks()));
+  // Ten paths of each model are drawn, each from the release of the rock to where it ended.
+  const auto view = side_view(*asked.what_if);
+  ASSERT_EQ(view["sets"].size(), 3u);
+  for (const auto& set : view["sets"]) ASSERT_EQ(set["paths"].size(), 10u);
+  for (std::size_t k = 0; k < 10; ++k) {
+    const double start = view["sets"][0]["paths"][k].front()[1].get<double>();
+    EXPECT_NEAR(view["sets"][1]["paths"][k].front()[1].get<double>(), start, 2.0);  // centres of spheres are higher
+  }
+  EXPECT_GT(view["ground"].size(), 2u);
 }
 
 /// Common random numbers: a rock starts at the same place with the same velocity in all sets.
@@ -166,7 +235,7 @@ horizontal_velocity_m_s = { mean = 12, distribution = "uniform", rel_min = 4, re
     return drawn_line(model, std::span(&at, 1), asked_height, "line", warnings);
   };
   Asked asked(read(plane), place,
-              {.steps = {{"tangential_restitution", 0.1}, {"friction_angle", 0.1}}, .material = {}});
+              {.steps = std::vector<Step>{{"tangential_restitution", 0.1}, {"friction_angle", 0.1}}});
   EXPECT_TRUE(asked.what_if->run({}));
   const Answer answer = asked.what_if->answer(0);
   const auto expected = [&](double restitution, double angle_deg) {
@@ -208,7 +277,7 @@ TEST(WhatIf, IsTheSameOnAnyNumberOfThreads) {
 
 /// Fewer rocks are a sample of all, taken in the order of a store.
 TEST(WhatIf, TakesAFairSample) {
-  Asked asked(read(bouncing_slope), bench, {.steps = {{"roughness", 0.25}}, .material = {}});
+  Asked asked(read(bouncing_slope), bench, {.steps = std::vector<Step>{{"roughness", 0.25}}});
   EXPECT_TRUE(asked.what_if->run({.rocks = 100}));
   const Answer answer = asked.what_if->answer(0);
   EXPECT_EQ(answer.rocks, 100u);

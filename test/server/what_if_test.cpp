@@ -50,6 +50,29 @@ TEST_F(WhatIfJob, AnswersInTheBackground) {
   EXPECT_EQ(first["changes"][0]["path"], (Json{"material", 0, "normal_restitution"}));
 }
 
+/// Models come first, with both energies and where rocks end; without steps the usual ones follow.
+TEST_F(WhatIfJob, RunsTheOtherRockModels) {
+  ASSERT_EQ(post(path(), {{"barrier", "Fence"}, {"models", true}, {"steps", Json::object()}}).status, 202);
+  const Json answer = wait_while_running()["answer"];
+  EXPECT_EQ(answer["model"], "lumped_mass");
+  ASSERT_EQ(answer["variations"].size(), 2U);
+  const Json& sphere = answer["variations"][0];
+  EXPECT_EQ(sphere["factor"], "model");
+  EXPECT_EQ(sphere["model"], "rigid_sphere");
+  EXPECT_EQ(sphere["step_percent"], nullptr);
+  EXPECT_EQ(sphere["text"], "lumped_mass to rigid_sphere");
+  EXPECT_EQ(sphere["energy_J"], sphere["ke_translational_J"]);
+  EXPECT_GE(sphere["ke_total_J"][0], sphere["ke_translational_J"][0]);
+  EXPECT_GT(sphere["runout_m"][0], 0);
+  EXPECT_EQ(answer["variations"][1]["changes"][1]["after"], "block");
+  EXPECT_EQ(answer["side_view"]["sets"].size(), 3U);
+  ASSERT_EQ(post(path(), {{"barrier", "Fence"}, {"models", true}}).status, 202);
+  const Json all = wait_while_running()["answer"]["variations"];
+  EXPECT_EQ(all[0]["factor"], "model");
+  EXPECT_EQ(all[2]["factor"], "normal_restitution");
+  EXPECT_EQ(refusal({{"barrier", "Fence"}, {"models", "all"}}, 400), "models: is not true or false");
+}
+
 TEST_F(WhatIfJob, IsStopped) {
   ASSERT_EQ(post(path(), {{"barrier", "Fence"}, {"seconds", 600}}).status, 202);
   EXPECT_EQ(post(path() + "/stop", Json::object()).status, 200);

@@ -16,6 +16,7 @@ namespace talus::server {
 namespace {
 
 constexpr std::size_t most_asked_corners = 10'000;
+constexpr std::uint64_t pictured_rocks = 40;  // of each rock model
 constexpr double usual_seconds = 40, most_seconds = 600;
 
 /// A number of the body above 0, up to `most`; nullopt if it is not given.
@@ -26,6 +27,13 @@ std::optional<double> limited(const Call& call, const char* key, double most) {
   if (!(number > 0 && number <= most))
     throw Refusal(400, key, "is not valid", fmt::format("expected a number above 0, up to {:g}", most));
   return number;
+}
+
+bool wants_models(const Call& call) {
+  const auto models = call.body.find("models");
+  if (models == call.body.end()) return false;
+  if (!models->is_boolean()) throw Refusal(400, "models", "is not true or false");
+  return models->get<bool>();
 }
 
 /// What is asked of the run, and which factors.
@@ -39,13 +47,14 @@ std::unique_ptr<what_if::WhatIf> asked_of(const Call& call, const OpenRun& open,
     throw Refusal(400, given.empty() ? "line" : given.back(),
                   given.empty() ? "is missing" : "cannot be given with others",
                   "expected one of line, barrier, polygon");
-  what_if::FactorChoice choice{.steps = {}, .material = call.text("material", "")};
+  what_if::FactorChoice choice{.material = call.text("material", ""), .models = wants_models(call)};
   if (const auto steps = call.body.find("steps"); steps != call.body.end() && !steps->is_null()) {
     if (!steps->is_object())
       throw Refusal(400, "steps", "is not valid", "expected factors with their steps in percent");
+    if (!steps->empty() || choice.models) choice.steps.emplace();
     for (const auto& [key, percent] : steps->items()) {
       if (!percent.is_number()) throw Refusal(400, "steps", fmt::format("{} is not a number", key));
-      choice.steps.push_back({key, percent.get<double>() / 100});
+      choice.steps->push_back({key, percent.get<double>() / 100});
     }
   }
   const std::string key = given.front();
@@ -75,12 +84,13 @@ Json choices_of(const project::Project& project, const std::string& material) {
 void add_what_if_routes(Router& router, RunStore& runs, AskedRuns& asked, WhatIfJobs& jobs) {
   const std::string path = one_run + "/what_if";
   router.post(path, [&](const Call& call) {
-    call.only({"line", "barrier", "polygon", "steps", "material", "seconds", "rocks"});
+    call.only({"line", "barrier", "polygon", "steps", "material", "models", "seconds", "rocks"});
     const Run run = runs.find(call.part(1));
     WhatIfOrder order;
     order.options.seconds = limited(call, "seconds", most_seconds).value_or(usual_seconds);
     order.options.rocks = static_cast<std::uint64_t>(
         std::max(1.0, limited(call, "rocks", static_cast<double>(what_if::most_rocks)).value_or(what_if::most_rocks)));
+    if (wants_models(call)) order.options.pictured = pictured_rocks;
     order.run = asked.open(run);
     order.question = call.body;
     const auto or_null = [](const auto& value) { return value ? Json(*value) : Json(); };

@@ -24,16 +24,20 @@ project::Project project_of_ensemble(const project::Project& project, const Mode
 std::vector<Model> varied_models(const project::Project& project, const Model& model,
                                  std::span<const Variation> variations, const std::string& material) {
   std::vector<Model> models;
-  models.push_back(model.without_surface());
-  models.back().ensembles = model.ensembles;
+  const auto add = [&]() -> Model& {
+    Model& added = models.emplace_back(model.without_surface());
+    added.surface = model.surface;
+    return added;
+  };
+  add().ensembles = model.ensembles;
   for (const Variation& variation : variations) {
-    Model& varied = models.emplace_back(model.without_surface());
+    Model& varied = add();
     project::set_properties(variation.project, varied);
     for (std::size_t ensemble = 0; ensemble < model.ensembles.size(); ++ensemble) {
       stop_point();
       const project::Project drawn = project_of_ensemble(project, model, ensemble);
       Model& own = varied.ensembles.emplace_back(model.ensembles[ensemble].without_surface());
-      project::set_properties(vary(drawn, variation.kind, variation.factor, material).project, own);
+      project::set_properties(applied(variation, drawn, material), own);
     }
   }
   return models;

@@ -10,7 +10,7 @@
 
 namespace talus::what_if {
 
-/// The model as it is, without a surface, then one for each variation. Ensembles of uncertain parameters are varied by
+/// The model as it is, then one for each variation, all on its surface. Ensembles of uncertain parameters are varied by
 /// the same share, each from its own values.
 [[nodiscard]] std::vector<Model> varied_models(const project::Project& project, const Model& model,
                                                std::span<const Variation> variations, const std::string& material);

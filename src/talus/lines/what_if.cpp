@@ -17,6 +17,7 @@
 #include "talus/lines/line_follower.hpp"
 #include "talus/lines/varied_models.hpp"
 #include "talus/model/samples.hpp"
+#include "talus/results/summary.hpp"
 #include "talus/store/rock_choice.hpp"
 
 namespace talus::what_if {
@@ -35,14 +36,26 @@ std::size_t affordable_replicas(std::size_t wanted, std::size_t rocks) {
   return std::min(wanted, std::max(least, draws / std::max<std::size_t>(rocks, 1)));
 }
 
-MemberValues values_of(std::uint64_t place, const CrossingMaxima& values, bool takes_total_energy) {
+MemberValues values_of(std::uint64_t place, const CrossingMaxima& values) {
   const auto of = [&](CrossingQuantity quantity) { return values[static_cast<std::size_t>(quantity)]; };
   return {place,
-          {of(takes_total_energy ? CrossingQuantity::energy_total : CrossingQuantity::energy_translational),
-           of(CrossingQuantity::height), of(CrossingQuantity::velocity)}};
+          {of(CrossingQuantity::energy_translational), of(CrossingQuantity::energy_total), of(CrossingQuantity::height),
+           of(CrossingQuantity::velocity)}};
 }
 
-/// What a rock does at the line or in the polygon; each thread has its own.
+/// A path for a picture: the ends of its pieces, and places of a flight in between.
+std::vector<Vec3> drawn_path(const RockLog& log) {
+  constexpr int parts_of_flight = 8;
+  std::vector<Vec3> points;
+  log.for_each_piece([&](const PathPiece& piece) {
+    if (points.empty()) points.push_back(piece.path.at(0));
+    const int parts = piece.on_ground ? 1 : parts_of_flight;
+    for (int k = 1; k <= parts; ++k) points.push_back(piece.path.at(piece.duration * k / parts));
+  });
+  return points;
+}
+
+/// What a rock of one set does at the line or in the polygon; each thread has its own.
 class Asker {
  public:
   Asker(const Model& model, const AskedPlace& place, const AskedBarriers& barriers, const DesignPlan& plan)
@@ -52,6 +65,7 @@ class Asker {
 
   /// Nullopt if it does not cross or enter.
   std::optional<CrossingMaxima> ask(const RockRecord& record, const RockLog& log) {
+    if (std::holds_alternative<std::monostate>(place_)) return std::nullopt;
     path_.record = record;
     path_.pieces.clear();
     log.for_each_piece([&](const PathPiece& piece) { path_.pieces.push_back(piece); });
@@ -95,8 +109,15 @@ std::vector<std::uint64_t> rocks_in_order(const Model& model, std::uint64_t most
 
 }  // namespace
 
+/// Where a rock ends.
+struct RockEnd {
+  double runout = 0;  // on plan [m]
+  bool has_left = false;
+};
+
 struct WhatIf::Parts {
   const Model& model;
+  RockModel rock_model{};
   AskedPlace place;
   AskedBarriers barriers;
   DesignPlan plan;
@@ -105,6 +126,8 @@ struct WhatIf::Parts {
   std::vector<std::uint64_t> rocks;               // in the order in which they are taken
   std::uint64_t done = 0;                         // of these, by all sets
   std::vector<std::vector<MemberValues>> of_set;  // of the rocks that cross, by their place in `rocks`, ascending
+  std::vector<std::vector<RockEnd>> ends;         // of each set, of all rocks that are done
+  std::vector<Paths> paths;                       // of each set
 
   static std::vector<AskedLine> lines_of(const AskedPlace& place) {
     const auto* line = std::get_if<AskedLine>(&place);
@@ -117,9 +140,23 @@ struct WhatIf::Parts {
       plan = plan_of_line(basis, model, *line, barriers.numbers.front());
   }
 
-  [[nodiscard]] Figures figures(const std::vector<MemberValues>& crossing) const {
-    Figures figures{
-        .rocks = crossing.size(), .share = share_of(crossing.size(), done, plan.confidence), .percentile = {}};
+  [[nodiscard]] Figures figures(std::size_t set) const {
+    const std::vector<MemberValues>& crossing = of_set[set];
+    Figures figures{.rocks = crossing.size(),
+                    .share = {},
+                    .percentile = {},
+                    .runout_median = {},
+                    .runout = {},
+                    .left = share_of(std::ranges::count(ends[set], true, &RockEnd::has_left), done, plan.confidence)};
+    if (!std::holds_alternative<std::monostate>(place))
+      figures.share = share_of(crossing.size(), done, plan.confidence);
+    if (done > 0) {
+      QuantileSketch runouts(done);
+      for (const RockEnd& end : ends[set]) runouts.add(end.runout);
+      const RankedValues ranked(runouts);
+      figures.runout_median = ranked.estimate(0.5, plan.confidence);
+      figures.runout = ranked.estimate(plan.design_percentile / 100, plan.confidence);
+    }
     if (crossing.empty()) return figures;
     for (std::size_t q = 0; q < MemberValues::quantities; ++q) {
       QuantileSketch sketch(crossing.size());
@@ -164,14 +201,27 @@ WhatIf::WhatIf(const project::Project& project, const Model& model, const projec
     : parts_(std::make_unique<Parts>(model, std::move(place), basis)) {
   Problems known;  // the model has been built with them
   const project::Project with_samples = project::read_samples(project, known);
+  parts_->rock_model = project.analysis.model;
   parts_->variations = variations_of(with_samples, choice, where, warnings);
   parts_->models = varied_models(with_samples, model, parts_->variations, choice.material);
-  parts_->of_set.resize(parts_->models.size());
+  const std::size_t sets = parts_->models.size();
+  parts_->of_set.resize(sets);
+  parts_->ends.resize(sets);
+  parts_->paths.resize(sets);
 }
 WhatIf::~WhatIf() = default;
 
 const std::vector<Variation>& WhatIf::variations() const { return parts_->variations; }
 const AskedPlace& WhatIf::place() const { return parts_->place; }
+const Model& WhatIf::model() const { return parts_->model; }
+RockModel WhatIf::rock_model() const { return parts_->rock_model; }
+const std::vector<Paths>& WhatIf::paths() const { return parts_->paths; }
+std::vector<double> WhatIf::runouts(std::size_t set) const {
+  std::vector<double> runouts;
+  for (const RockEnd& end : parts_->ends[set]) runouts.push_back(end.runout);
+  std::ranges::sort(runouts);
+  return runouts;
+}
 double WhatIf::confidence() const { return parts_->plan.confidence; }
 double WhatIf::percentile() const { return parts_->plan.design_percentile; }
 bool WhatIf::takes_total_energy() const { return parts_->plan.factors.takes_total_energy; }
@@ -184,12 +234,13 @@ bool WhatIf::run(const RunOptions& options) {
   const std::uint64_t most = parts.rocks.size();
   const std::size_t sets = parts.models.size();
 
-  struct Worker {
-    Asker asker;
-    std::vector<std::unique_ptr<Simulator>> simulators;  // by set
+  struct Worker {  // by set
+    std::vector<std::unique_ptr<Asker>> askers;
+    std::vector<std::unique_ptr<Simulator>> simulators;
   };
   tbb::enumerable_thread_specific<Worker> workers([&] {
-    Worker worker{Asker(parts.model, parts.place, parts.barriers, parts.plan), {}};
+    Worker worker;
+    worker.askers.resize(sets);
     worker.simulators.resize(sets);
     return worker;
   });
@@ -213,7 +264,12 @@ bool WhatIf::run(const RunOptions& options) {
       wave = std::min(wave, in_time);
     }
     const std::uint64_t blocks = (wave + rocks_in_task - 1) / rocks_in_task;
-    std::vector<std::vector<MemberValues>> found(blocks * sets);
+    struct Found {
+      std::vector<MemberValues> crossing;
+      std::vector<RockEnd> ends;
+      Paths paths;
+    };
+    std::vector<Found> found(blocks * sets);
     const Clock::time_point wave_begin = Clock::now();
     tbb::parallel_for(std::size_t{0}, found.size(), [&](std::size_t task) {
       if (was_stopped.load(std::memory_order_relaxed)) return;
@@ -221,7 +277,11 @@ bool WhatIf::run(const RunOptions& options) {
       const std::size_t block = task / sets, set = task % sets;
       Worker& worker = workers.local();
       auto& simulator = worker.simulators[set];
-      if (!simulator) simulator = std::make_unique<Simulator>(parts.models[set], *parts.model.surface);
+      auto& asker = worker.askers[set];
+      if (!simulator) {
+        simulator = std::make_unique<Simulator>(parts.models[set], *parts.models[set].surface);
+        asker = std::make_unique<Asker>(parts.models[set], parts.place, parts.barriers, parts.plan);
+      }
       const std::uint64_t first = parts.done + block * rocks_in_task;
       std::uint64_t place = first;
       SimulationOrder order;
@@ -230,8 +290,11 @@ bool WhatIf::run(const RunOptions& options) {
       order.keep_rows = [](std::uint64_t) { return false; };
       order.keep_pieces = true;
       order.see = [&](const RockRecord& record, const RockLog& log) {
-        if (const auto values = worker.asker.ask(record, log))
-          found[task].push_back(values_of(place, *values, parts.plan.factors.takes_total_energy));
+        Found& here = found[task];
+        here.ends.push_back({talus::runout(record.outcome, parts.model.runout_frame).plan,
+                             record.outcome.reason == EndReason::left_model});
+        if (place < options.pictured) here.paths.push_back(drawn_path(log));
+        if (const auto values = asker->ask(record, log)) here.crossing.push_back(values_of(place, *values));
         ++place;
       };
       order.stop = StopScope::current();
@@ -239,8 +302,13 @@ bool WhatIf::run(const RunOptions& options) {
     });
     if (was_stopped) return false;
     for (std::size_t task = 0; task < found.size(); ++task) {
-      std::vector<MemberValues>& all = parts.of_set[task % sets];
-      all.insert(all.end(), found[task].begin(), found[task].end());
+      const std::size_t set = task % sets;
+      const auto append = [](auto& all, auto& more) {
+        all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+      };
+      append(parts.of_set[set], found[task].crossing);
+      append(parts.ends[set], found[task].ends);
+      append(parts.paths[set], found[task].paths);
     }
     parts.done += wave;
     rate = static_cast<double>(wave) / std::max(seconds_since(wave_begin), 1e-6);
@@ -259,10 +327,7 @@ bool WhatIf::run(const RunOptions& options) {
 
 Answer WhatIf::answer(std::size_t replicas) const {
   const Parts& parts = *parts_;
-  Answer answer{.rocks = parts.done,
-                .planned = parts.model.rocks(),
-                .base = parts.figures(parts.of_set.front()),
-                .variations = {}};
+  Answer answer{.rocks = parts.done, .planned = parts.model.rocks(), .base = parts.figures(0), .variations = {}};
   answer.variations.resize(parts.variations.size());
   const StopScope* const scope = StopScope::current();
   std::atomic<bool> was_stopped{false};
@@ -270,7 +335,7 @@ Answer WhatIf::answer(std::size_t replicas) const {
     const StopScope here(scope);
     try {
       Answer::Varied& varied = answer.variations[k];
-      varied.figures = parts.figures(parts.of_set[k + 1]);
+      varied.figures = parts.figures(k + 1);
       varied.differences = parts.differences(k + 1, answer.base, varied.figures, replicas);
     } catch (const Stopped&) {
       was_stopped = true;

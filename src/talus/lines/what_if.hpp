@@ -31,14 +31,23 @@
 
 namespace talus::what_if {
 
-using AskedPlace = std::variant<AskedLine, AskedArea>;
+/// Nowhere: only how far rocks go is asked.
+using AskedPlace = std::variant<std::monostate, AskedLine, AskedArea>;
+
+/// What is told of the rocks that cross or enter, in the order of their values.
+enum class Asked : std::uint8_t { energy_translational, energy_total, height, velocity };
+[[nodiscard]] constexpr std::size_t place_of(Asked quantity) { return static_cast<std::size_t>(quantity); }
 
 /// Of one set of values.
 struct Figures {
   std::uint64_t rocks = 0;         // that cross or enter
-  std::optional<RockShare> share;  // of all rocks of the set
-  /// The design percentile of energy, height and velocity; nullopt if no rock crosses.
+  std::optional<RockShare> share;  // of all rocks of the set; nullopt: of nothing asked, or of no rocks
+  /// The design percentile of what is asked; nullopt if no rock crosses.
   std::array<std::optional<Estimate>, MemberValues::quantities> percentile;
+  /// Of all rocks of the set: the median and the design percentile of the runout on plan [m], and the share that leaves
+  /// the model.
+  std::optional<Estimate> runout_median, runout;
+  std::optional<RockShare> left;
 };
 
 /// With a variation minus without, for the same rocks.
@@ -58,6 +67,9 @@ struct Answer {
   std::vector<Varied> variations;  // in the order of the variations
 };
 
+/// Paths of the first rocks of each set, for a picture.
+using Paths = std::vector<std::vector<Vec3>>;  // by rock; local
+
 /// More rocks make intervals no narrower than what is known of the values.
 inline constexpr std::uint64_t most_rocks = 200'000;
 
@@ -66,6 +78,8 @@ struct RunOptions {
   std::uint64_t rocks = most_rocks;  // of each set, at most
   /// The runs end in about this time: how many rocks that is follows from the speed of those before [s].
   std::optional<double> seconds{};
+  /// Of so many rocks of each set the path is kept.
+  std::uint64_t pictured = 0;
   /// After some of the rocks of all sets, about every second: how many are done, and how many there will be. Called by
   /// the thread that runs.
   std::function<void(std::uint64_t done, std::uint64_t planned)> progress{};
@@ -83,16 +97,26 @@ class WhatIf {
 
   [[nodiscard]] const std::vector<Variation>& variations() const;
   [[nodiscard]] const AskedPlace& place() const;
+  [[nodiscard]] const Model& model() const;
+  [[nodiscard]] RockModel rock_model() const;
   /// Confidence of all intervals, and percentile of the figures [%].
   [[nodiscard]] double confidence() const;
   [[nodiscard]] double percentile() const;
   /// Whether the energies are total, as the check of the standard takes them; otherwise translational.
   [[nodiscard]] bool takes_total_energy() const;
+  /// The energy that the check takes.
+  [[nodiscard]] Asked energy() const {
+    return takes_total_energy() ? Asked::energy_total : Asked::energy_translational;
+  }
 
   /// Once. False if the thread's StopScope was requested to stop: rocks that are done in all sets are kept.
   bool run(const RunOptions& options);
   /// Of the rocks that are done. The same bits on any number of threads. `replicas`: of the bootstrap.
   [[nodiscard]] Answer answer(std::size_t replicas = 1000) const;
+  /// Of each set, in the order of the answer: the project's own values first.
+  [[nodiscard]] const std::vector<Paths>& paths() const;
+  /// Of a set: the runout on plan of all its rocks, ascending [m].
+  [[nodiscard]] std::vector<double> runouts(std::size_t set) const;
 
  private:
   struct Parts;

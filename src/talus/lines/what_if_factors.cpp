@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "talus/core/nearest.hpp"
+#include "talus/model/rock_models.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/settings.hpp"
+#include "talus/project/words.hpp"
 #include "talus/sampling/distribution.hpp"
 
 namespace talus::what_if {
@@ -148,10 +150,10 @@ Varying varied(const Project& project, std::size_t kind, double factor, const st
 std::vector<std::pair<std::size_t, double>> chosen_steps(const FactorChoice& choice, std::string_view where,
                                                          Problems& problems) {
   std::vector<std::pair<std::size_t, double>> chosen;
-  if (choice.steps.empty())
+  if (!choice.steps)
     for (std::size_t kind = 0; kind < factor_kinds.size(); ++kind)
       chosen.emplace_back(kind, factor_kinds[kind].usual_step);
-  for (const Step& step : choice.steps) {
+  for (const Step& step : choice.steps.value_or(std::vector<Step>{})) {
     const auto found = std::ranges::find(factor_kinds, step.key, &FactorKind::key);
     if (found == factor_kinds.end()) {
       std::vector<std::string_view> known;
@@ -202,6 +204,32 @@ void warn_of_other_sizes(const Project& project, Problems& warnings) {
   }
 }
 
+/// The other rock models, and what of them nobody has chosen.
+std::vector<Variation> other_models(const Project& project, Problems& warnings) {
+  std::vector<Variation> others;
+  for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere, RockModel::rigid_body}) {
+    if (model == project.analysis.model) continue;
+    Variation variation{.model = model, .kind = 0, .factor = 1, .project = project::with_rock_model(project, model)};
+    variation.changes.push_back(
+        {"analysis", "model", 0, "", Json(project::word(project.analysis.model)), Json(project::word(model))});
+    for (std::size_t row = 0; row < project.seeders.size(); ++row) {
+      const project::Seeder &before = project.seeders[row], &after = variation.project.seeders[row];
+      if (before.shape != after.shape)
+        variation.changes.push_back({"seeder", "shape", row, before.name, Json(before.shape), Json(after.shape)});
+    }
+    if (const auto names = project::materials_of_default_friction(variation.project); !names.empty()) {
+      warnings.add({.severity = Severity::warning,
+                    .what = fmt::format("as {}, {} {} the default friction", project::name_of(model),
+                                        fmt::join(names, ", "), names.size() == 1 ? "has" : "have"),
+                    .why = "nobody has chosen it",
+                    .hint = "Give the materials the friction of this model too (talus materials), or take its figures "
+                            "as a bound"});
+    }
+    others.push_back(std::move(variation));
+  }
+  return others;
+}
+
 std::string text_of(const std::optional<Json>& value) {
   if (!value) return "none";
   if (value->is_object()) {
@@ -218,12 +246,24 @@ std::string text_of(const std::optional<Json>& value) {
 
 }  // namespace
 
-double percent_of(const Variation& variation) {
+std::string_view key_of(const Variation& variation) {
+  return variation.model ? "model" : factor_kinds[variation.kind].key;
+}
+
+std::string_view title_of(const Variation& variation) {
+  return variation.model ? "Rock model" : factor_kinds[variation.kind].title;
+}
+
+std::optional<double> percent_of(const Variation& variation) {
+  if (variation.model) return std::nullopt;
   constexpr double digits = 1e9;
   return std::round(digits * 100 * (variation.factor - 1)) / digits;
 }
 
-std::string step_text(const Variation& variation) { return fmt::format("{:+.4g} %", percent_of(variation)); }
+std::string step_text(const Variation& variation) {
+  return variation.model ? std::string(project::name_of(*variation.model))
+                         : fmt::format("{:+.4g} %", *percent_of(variation));
+}
 
 std::string changes_text(const Variation& variation) {
   std::string text;
@@ -233,16 +273,24 @@ std::string changes_text(const Variation& variation) {
       forest = change.before;
       continue;
     }
-    text += fmt::format("{}{} {} to {}", text.empty() ? "" : "; ", change.name,
+    text += fmt::format("{}{}{}{} to {}", text.empty() ? "" : "; ", change.name, change.name.empty() ? "" : " ",
                         text_of(change.before ? change.before : std::exchange(forest, {})), text_of(change.after));
   }
   return text;
 }
 
-std::string path_of(const Change& change) { return fmt::format("{}.{}.{}", change.table, change.row, change.key); }
+std::string path_of(const Change& change) {
+  return project::table(change.table).repeated ? fmt::format("{}.{}.{}", change.table, change.row, change.key)
+                                               : fmt::format("{}.{}", change.table, change.key);
+}
 
 Variation vary(const Project& project, std::size_t kind, double factor, const std::string& material) {
   return varied(project, kind, factor, material).take();
+}
+
+Project applied(const Variation& variation, const Project& to, const std::string& material) {
+  return variation.model ? project::with_rock_model(to, *variation.model)
+                         : vary(to, variation.kind, variation.factor, material).project;
 }
 
 std::vector<std::size_t> kinds_of(const Project& project, const std::string& material, std::string_view where) {
@@ -262,12 +310,13 @@ std::vector<Variation> variations_of(const Project& project, const FactorChoice&
   check_material(project, choice.material, where, problems);
   if (problems.has_errors()) throw BadInput(std::move(problems));
   std::vector<Variation> variations;
+  if (choice.models) variations = other_models(project, warnings);
   for (const auto& [kind, share] : steps) {
     for (const double factor : {1 - share, 1 + share}) {
       Varying one = varied(project, kind, factor, choice.material);
       Variation variation = one.take();
       if (variation.changes.empty()) {
-        if (factor > 1 || choice.steps.empty()) continue;
+        if (factor > 1 || !choice.steps) continue;
         problems.add({.where = std::string(where),
                       .what = fmt::format("this project has no {}", factor_kinds[kind].key),
                       .why = "it is not given, 0, from a file, or not of its rock model"});

@@ -1,5 +1,6 @@
 #pragma once
-// The factors of a what-if: numbers of a project that are changed together by a share, up and down.
+// The variations of a what-if: numbers of a project that are changed together by a share, up and down, and other rock
+// models.
 
 #include <nlohmann/json.hpp>
 
@@ -42,8 +43,10 @@ struct Step {
 };
 /// Which factors, by how much.
 struct FactorChoice {
-  std::vector<Step> steps;  // empty: the usual ones of all factors that the project has
-  std::string material;     // of the ground's properties: of this material alone; empty: of all
+  /// Nullopt: the usual ones of all factors that the project has. May be empty if there are models.
+  std::optional<std::vector<Step>> steps{};
+  std::string material{};  // of the ground's properties: of this material alone; empty: of all
+  bool models = false;     // also the other rock models
 };
 
 /// One value that a variation changes.
@@ -56,18 +59,22 @@ struct Change {
 };
 
 struct Variation {
-  std::size_t kind = 0;  // of factor_kinds
-  double factor = 1;     // of the values, 1.1 or 0.9; of the mass for sizes
+  std::optional<RockModel> model{};  // another rock model; the values stay as they are
+  std::size_t kind = 0;              // of factor_kinds, without a model
+  double factor = 1;                 // of the values, 1.1 or 0.9; of the mass for sizes
   project::Project project;
   std::vector<Change> changes;
   std::string clipped;  // which values ended at the limit of their range; empty: none
 };
 
-/// By how much, without the digits of rounding: 10, -25.
-[[nodiscard]] double percent_of(const Variation& variation);
-/// "+10 %"
+/// "normal_restitution", or "model"
+[[nodiscard]] std::string_view key_of(const Variation& variation);
+[[nodiscard]] std::string_view title_of(const Variation& variation);
+/// By how much, without the digits of rounding: 10, -25; nullopt of a model.
+[[nodiscard]] std::optional<double> percent_of(const Variation& variation);
+/// "+10 %", or "rigid sphere"
 [[nodiscard]] std::string step_text(const Variation& variation);
-/// "Scree 0.35 to 0.385, Rock 0.5 to 0.55"
+/// "Scree 0.35 to 0.385, Rock 0.5 to 0.55"; of a model "lumped mass to rigid body with the shape block"
 [[nodiscard]] std::string changes_text(const Variation& variation);
 /// The path of a changed setting, as --set takes it: "material.0.normal_restitution".
 [[nodiscard]] std::string path_of(const Change& change);
@@ -81,9 +88,14 @@ struct Variation {
 [[nodiscard]] std::vector<std::size_t> kinds_of(const project::Project& project, const std::string& material,
                                                 std::string_view where);
 
-/// For each factor the variation down and that up. `project`: with the samples of its distributions. Throws BadInput
-/// with all problems of the choice, which `where` names: an unknown factor or material, a step out of range, a factor
-/// that the project does not have. What a factor cannot change (sizes from a table) is added to `warnings`.
+/// The same variation of another project: what `vary` or the other rock model makes of it.
+[[nodiscard]] project::Project applied(const Variation& variation, const project::Project& to,
+                                       const std::string& material);
+
+/// The other rock models, then for each factor the variation down and that up. `project`: with the samples of its
+/// distributions. Throws BadInput with all problems of the choice, which `where` names: an unknown factor or material,
+/// a step out of range, a factor that the project does not have. What a factor cannot change (sizes from a table), and
+/// the materials whose friction in another model is the default, are added to `warnings`.
 [[nodiscard]] std::vector<Variation> variations_of(const project::Project& project, const FactorChoice& choice,
                                                    std::string_view where, Problems& warnings);
 

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "talus/project/words.hpp"
+
 namespace talus::what_if {
 
 namespace {
@@ -16,15 +18,33 @@ std::optional<Estimate> estimate_of(const std::optional<RockShare>& share) {
   return Estimate{share->value, share->low, share->high};
 }
 
+std::optional<double> value_of(const std::optional<Estimate>& estimate) {
+  return estimate ? std::optional(estimate->value) : std::nullopt;
+}
+
 /// How the figures of a row are named: share_change_low, energy_change_low_J.
 struct FigureName {
   std::string_view name, unit_in_name, unit, meaning;
 };
-constexpr std::array<FigureName, 1 + MemberValues::quantities> figure_names{
-    {{"share", "", "", "share of the rocks that cross"},
-     {"energy", "_J", "J", "design percentile of the energy that the check takes"},
+constexpr FigureName share_name{"share", "", "", "share of the rocks that cross"};
+constexpr FigureName check_energy{"energy", "_J", "J", "design percentile of the energy that the check takes"};
+constexpr std::array<FigureName, MemberValues::quantities> quantity_names{
+    {{"ke_translational", "_J", "J", "design percentile of the translational energy"},
+     {"ke_total", "_J", "J", "design percentile of the total energy"},
      {"height", "_m", "m", "design percentile of the height of the block's top; in a polygon, of the bounce height"},
      {"velocity", "_m_s", "m/s", "design percentile of the velocity"}}};
+
+/// The columns of the table: of the energies the one that the check takes.
+struct Column {
+  FigureName name;
+  std::optional<Asked> of;  // nullopt: the share
+};
+std::array<Column, 4> columns_of(Asked energy) {
+  return {{{share_name, std::nullopt},
+           {check_energy, energy},
+           {quantity_names[place_of(Asked::height)], Asked::height},
+           {quantity_names[place_of(Asked::velocity)], Asked::velocity}}};
+}
 
 std::vector<std::string> names_of_figures() {
   std::vector<std::string> names;
@@ -32,7 +52,7 @@ std::vector<std::string> names_of_figures() {
   return names;
 }
 
-WhatIfRow row_of(const Answer& answer, const Figures& figures, const Differences& differences) {
+WhatIfRow row_of(const Answer& answer, Asked energy, const Figures& figures, const Differences& differences) {
   WhatIfRow row;
   row.rocks = answer.rocks;
   row.crossing = figures.rocks;
@@ -41,12 +61,13 @@ WhatIfRow row_of(const Answer& answer, const Figures& figures, const Differences
     row.figures.push_back(estimate ? std::optional(known.value) : std::nullopt);
     row.figures.insert(row.figures.end(), {known.low, known.high});
   };
-  add(estimate_of(figures.share));
-  add(differences.share);
-  for (std::size_t q = 0; q < MemberValues::quantities; ++q) {
-    add(figures.percentile[q]);
-    add(differences.percentile[q]);
+  for (const Column& column : columns_of(energy)) {
+    add(column.of ? figures.percentile[place_of(*column.of)] : estimate_of(figures.share));
+    add(column.of ? differences.percentile[place_of(*column.of)] : differences.share);
   }
+  row.runout_median_m = value_of(figures.runout_median);
+  row.runout_m = value_of(figures.runout);
+  row.left = value_of(estimate_of(figures.left));
   return row;
 }
 
@@ -57,24 +78,25 @@ Json json_of(const std::optional<Estimate>& estimate) {
 }
 
 Json json_of(const std::optional<Estimate>& share,
-             const std::array<std::optional<Estimate>, MemberValues::quantities>& percentiles) {
-  Json json{{"share", json_of(share)}};
-  for (std::size_t q = 0; q < percentiles.size(); ++q) {
-    const FigureName& figure = figure_names[1 + q];
-    json[fmt::format("{}{}", figure.name, figure.unit_in_name)] = json_of(percentiles[q]);
-  }
+             const std::array<std::optional<Estimate>, MemberValues::quantities>& percentiles, Asked energy) {
+  const auto key_of = [](const FigureName& name) { return fmt::format("{}{}", name.name, name.unit_in_name); };
+  Json json{{"share", json_of(share)}, {key_of(check_energy), json_of(percentiles[place_of(energy)])}};
+  for (std::size_t q = 0; q < percentiles.size(); ++q) json[key_of(quantity_names[q])] = json_of(percentiles[q]);
   return json;
 }
 
-Json json_of(const Figures& figures) {
+Json json_of(const Figures& figures, Asked energy) {
   Json json{{"rocks", figures.rocks}};
-  json.update(json_of(estimate_of(figures.share), figures.percentile));
+  json.update(json_of(estimate_of(figures.share), figures.percentile, energy));
+  json["runout_median_m"] = json_of(figures.runout_median);
+  json["runout_m"] = json_of(figures.runout);
+  json["left"] = json_of(estimate_of(figures.left));
   return json;
 }
 
-Json json_of(const Differences& differences) {
+Json json_of(const Differences& differences, Asked energy) {
   Json json{{"gained", differences.gained}, {"lost", differences.lost}};
-  json.update(json_of(differences.share, differences.percentile));
+  json.update(json_of(differences.share, differences.percentile, energy));
   return json;
 }
 
@@ -89,7 +111,8 @@ Json json_of(const Change& change) {
 
 std::vector<ColumnText> WhatIfRow::family_texts() {
   std::vector<ColumnText> texts;
-  for (const FigureName& figure : figure_names) {
+  for (const Column& column : columns_of(Asked::energy_translational)) {
+    const FigureName& figure = column.name;
     const auto add = [&](const char* part, std::string meaning) {
       texts.push_back({fmt::format("{}{}{}", figure.name, part, figure.unit_in_name), std::string(figure.unit),
                        std::move(meaning)});
@@ -106,14 +129,14 @@ std::vector<ColumnText> WhatIfRow::family_texts() {
 
 std::string table_of(const WhatIf& what_if, const Answer& answer) {
   std::string text = header_of<WhatIfRow>(names_of_figures());
-  WhatIfRow base = row_of(answer, answer.base, {});
+  WhatIfRow base = row_of(answer, what_if.energy(), answer.base, {});
   base.factor = "base";
   append_row(text, base);
   for (std::size_t k = 0; k < answer.variations.size(); ++k) {
     const Variation& variation = what_if.variations()[k];
     const auto& [figures, differences] = answer.variations[k];
-    WhatIfRow row = row_of(answer, figures, differences);
-    row.factor = factor_kinds[variation.kind].key;
+    WhatIfRow row = row_of(answer, what_if.energy(), figures, differences);
+    row.factor = key_of(variation);
     row.step_percent = percent_of(variation);
     row.changes = changes_text(variation);
     row.clipped = variation.clipped;
@@ -130,20 +153,23 @@ Json json_of(const WhatIf& what_if, const Answer& answer) {
             {"percentile", what_if.percentile()},
             {"confidence", what_if.confidence()},
             {"energy", what_if.takes_total_energy() ? "total" : "translational"},
-            {"base", json_of(answer.base)}};
+            {"model", project::word(what_if.rock_model())},
+            {"base", json_of(answer.base, what_if.energy())}};
   Json& list = json["variations"] = Json::array();
   for (std::size_t k = 0; k < answer.variations.size(); ++k) {
     const Variation& variation = what_if.variations()[k];
     Json changes = Json::array();
     for (const Change& change : variation.changes) changes.push_back(json_of(change));
-    Json one{{"factor", factor_kinds[variation.kind].key},
-             {"title", factor_kinds[variation.kind].title},
-             {"step_percent", percent_of(variation)},
+    const auto percent = percent_of(variation);
+    Json one{{"factor", key_of(variation)},
+             {"title", title_of(variation)},
+             {"step_percent", percent ? Json(*percent) : Json()},
              {"text", changes_text(variation)},
              {"clipped", variation.clipped},
              {"changes", std::move(changes)}};
-    one.update(json_of(answer.variations[k].figures));
-    one["difference"] = json_of(answer.variations[k].differences);
+    if (variation.model) one["model"] = project::word(*variation.model);
+    one.update(json_of(answer.variations[k].figures, what_if.energy()));
+    one["difference"] = json_of(answer.variations[k].differences, what_if.energy());
     list.push_back(std::move(one));
   }
   return json;

@@ -23,6 +23,7 @@ struct WhatIfRow {
   std::uint64_t rocks = 0, crossing = 0;
   std::optional<std::uint64_t> gained{}, lost{};
   FamilyValues figures{};  // by figure: value and interval, and the change with its interval
+  std::optional<double> runout_median_m{}, runout_m{}, left{};
 
   static constexpr auto columns() {
     using R = WhatIfRow;
@@ -35,7 +36,10 @@ struct WhatIfRow {
         quantity("rocks", "", "rocks of each set", &R::rocks),
         quantity("crossing", "", "rocks that cross the line, or enter the polygon", &R::crossing),
         quantity("gained", "", "rocks that cross with the variation and not without it", &R::gained),
-        quantity("lost", "", "rocks that cross without the variation and not with it", &R::lost), family(&R::figures));
+        quantity("lost", "", "rocks that cross without the variation and not with it", &R::lost), family(&R::figures),
+        quantity("runout_median_m", "m", "median of the runout on plan, of all rocks", &R::runout_median_m),
+        quantity("runout_m", "m", "its design percentile", &R::runout_m),
+        quantity("left", "", "share of the rocks that leave the model", &R::left));
   }
   [[nodiscard]] static std::vector<ColumnText> family_texts();
 };

@@ -19,9 +19,9 @@ namespace talus {
 [[nodiscard]] Estimate paired_share_difference(std::uint64_t gained, std::uint64_t lost, std::uint64_t members,
                                                double confidence);
 
-/// Three quantities of one member.
+/// Quantities of one member.
 struct MemberValues {
-  static constexpr std::size_t quantities = 3;
+  static constexpr std::size_t quantities = 4;
   std::uint64_t member = 0;
   std::array<double, quantities> values{};
 };
