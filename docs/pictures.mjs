@@ -24,6 +24,17 @@ async function pictureOfReport(browser, folder) {
   await page.screenshot({ path: join(sources, 'docs/tutorial-1.png'), clip: { x: 0, y: 0, width: 1000, height } });
 }
 
+/// The same rocks under each rock model.
+async function pictureOfModels(browser, folder) {
+  const project = join(sources, 'examples/models/road.toml');
+  execFileSync(program, ['compare', project, '--models', '--quiet', '-o', join(folder, 'models')]);
+  const page = await browser.newPage({ viewport: { width: 1240, height: 1900 } });
+  await page.goto(`file://${folder}/models/compare.html`);
+  await page.addStyleTag({ content: '.columns { grid-template-columns: repeat(3, minmax(0, 1fr)) !important } .save, #paths h2 { display: none }' });
+  const clip = await page.locator('#paths').boundingBox();
+  await page.screenshot({ path: join(sources, 'docs/which-model.png'), clip });
+}
+
 /// Starts the workbench, and passes its page to a task.
 async function inWorkbench(browser, folder, task) {
   const server = spawn(program, ['serve', folder, '--port', '0'], { stdio: ['ignore', 'pipe', 'inherit'] });
@@ -118,6 +129,7 @@ const browser = await chromium.launch({
 });
 try {
   await pictureOfReport(browser, folder);
+  await pictureOfModels(browser, folder);
   await pictureOfWorkbench(browser, folder);
   await picturesOfExamples(browser, folder);
   await pictureOfValidation(browser, folder);

@@ -24,6 +24,7 @@ Command add_replay(CLI::App& app);
 Command add_line(CLI::App& app);
 Command add_section(CLI::App& app);
 Command add_what_if(CLI::App& app);
+Command add_compare(CLI::App& app);
 Command add_report(CLI::App& app);
 Command add_export(CLI::App& app);
 Command add_sensitivity(CLI::App& app);

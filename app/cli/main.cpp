@@ -19,10 +19,10 @@ namespace talus::cli {
 namespace {
 
 /// In the order of the help.
-constexpr std::array commands{add_run,    add_serve,       add_merge,   add_calibrate, add_check,
-                              add_replay, add_line,        add_section, add_what_if,   add_report,
-                              add_export, add_sensitivity, add_verify,  add_validate,  add_materials,
-                              add_schema, add_new,         add_manual,  add_completion};
+constexpr std::array commands{add_run,       add_serve,  add_merge,       add_calibrate, add_check,
+                              add_replay,    add_line,   add_section,     add_what_if,   add_compare,
+                              add_report,    add_export, add_sensitivity, add_verify,    add_validate,
+                              add_materials, add_schema, add_new,         add_manual,    add_completion};
 
 int dispatch(int argc, char** argv) {
   CLI::App app{"Talus, a rockfall simulator: where do rocks go, how fast, how high, and which barrier stops them?",

@@ -39,7 +39,8 @@ class Analysis(Table):
     "talus".
 
     model: A rock is a point with mass and spin (`lumped_mass`, the law of CRSP), a sphere with a radius
-    (`rigid_sphere`), or a block with the shape of its seeder (`rigid_body`). Default: "lumped_mass".
+    (`rigid_sphere`), or a block with the shape of its seeder (`rigid_body`). Results may differ by more than by any
+    value of the ground: run all three. Default: "lumped_mass".
 
     rotation: Lumped mass: impacts couple spin and velocity; without it, they follow plain restitution. Default:
     true.

@@ -9,4 +9,8 @@ std::string study_page(std::string_view name, const nlohmann::ordered_json& summ
   return html_page(name, summary, assets::sensitivity_script);
 }
 
+std::string models_page(std::string_view name, const nlohmann::ordered_json& comparison) {
+  return html_page(name, comparison, assets::models_script);
+}
+
 }  // namespace talus

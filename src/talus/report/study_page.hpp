@@ -1,5 +1,5 @@
 #pragma once
-// The report of a sensitivity study.
+// The pages of studies of a project: its sensitivity, and its rock models.
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,5 +9,8 @@ namespace talus {
 
 /// The page from the study's summary.json. The same summary gives the same bytes.
 [[nodiscard]] std::string study_page(std::string_view name, const nlohmann::ordered_json& summary);
+
+/// The page from the compare.json of a comparison.
+[[nodiscard]] std::string models_page(std::string_view name, const nlohmann::ordered_json& comparison);
 
 }  // namespace talus

@@ -17,6 +17,7 @@ export * from '../units/numbers';
 export * from './histogram';
 export { endsAround } from './oneValue';
 export { axes, extentOf, legend, pointIn, sign } from './plot';
+export * from './sideView';
 export * from './tip';
 export * from './tornado';
 export { hasEffect } from '../settings/conditions';

@@ -32,9 +32,10 @@ Table analysis_table() {
                .slot = member(&Analysis::model),
                .title = "Rock model",
                .group = "Motion",
-               .topic = topics::laws,
+               .topic = topics::which_model,
                .meaning = "A rock is a point with mass and spin (`lumped_mass`, the law of CRSP), a sphere with a "
-                          "radius (`rigid_sphere`), or a block with the shape of its seeder (`rigid_body`).",
+                          "radius (`rigid_sphere`), or a block with the shape of its seeder (`rigid_body`). Results "
+                          "may differ by more than by any value of the ground: run all three.",
                .source = "the manual, sections 2 and 7"},
               {.key = "rotation",
                .slot = member(&Analysis::rotation),

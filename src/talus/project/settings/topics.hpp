@@ -6,6 +6,7 @@
 namespace talus::project::declared::topics {
 
 constexpr Topic laws{"laws.md", "The laws"};
+constexpr Topic which_model{"which-model.md", "Which model?"};
 constexpr Topic equations{"laws.md", "The equations of the lumped mass"};
 constexpr Topic points{"laws.md", "Points worth knowing"};
 constexpr Topic law_sets{"laws.md", "Two sets of laws"};
