@@ -38,8 +38,12 @@ void print_summary(const Summary& summary, const std::vector<std::string>& barri
     const BarrierTally& tally = summary.barriers[b];
     const Descriptive energy = tally.total_energy.describe(), height = tally.height.describe();
     fmt::print("  {}: {} rocks hit it, {} passed above", barriers[b], tally.rocks_hit, tally.rocks_passed_above);
-    if (energy.maximum)
-      fmt::print("; at most {:.1f} kJ, contact {:.2f} m high", *energy.maximum / 1000, *height.maximum);
+    if (energy.maximum) {
+      const auto percentile = [](const Tally& values) { return values.sketch().quantile(0.95).value_or(0); };
+      fmt::print("; 95 %: {:.1f} kJ, contact {:.2f} m high; at most {:.1f} kJ, {:.2f} m",
+                 percentile(tally.total_energy) / 1000, percentile(tally.height), *energy.maximum / 1000,
+                 *height.maximum);
+    }
     fmt::print("\n");
   }
   if (summary.barriers.size() > most_printed) {
@@ -52,9 +56,8 @@ void print_summary(const Summary& summary, const std::vector<std::string>& barri
 
 void print_stored(const std::optional<StoredRocks>& stored) {
   if (!stored || stored->share == 1) return;
-  fmt::print(
-      "  trajectories of {} rocks are stored, {:.3g} % of all: a fair sample; more with output.trajectories\n",
-      stored->rocks, 100 * stored->share);
+  fmt::print("  trajectories of {} rocks are stored, {:.3g} % of all: a fair sample; more with output.trajectories\n",
+             stored->rocks, 100 * stored->share);
 }
 
 }  // namespace talus::cli

@@ -15,7 +15,7 @@ from qgis.core import (
 )
 
 ENERGIES_KJ = (0, 30, 100, 300, 1000, 3000, float("inf"))
-COLOURS = ("#ffffb2", "#fed976", "#feb24c", "#fd8d3c", "#f03b20", "#bd0026")
+COLOURS = ("#ffffb2", "#fed670", "#fda63f", "#f0702c", "#c8281e", "#800026")
 ENDS = {"at rest": "#333333", "stopped by a barrier": "#1a9850", "left the model": "#3288bd", "no data": "#984ea3"}
 KIT_CLASSES = (  # ColorBrewer YlGnBu, which differs from the colours of energies
     "#ffffd9",

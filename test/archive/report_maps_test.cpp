@@ -21,7 +21,7 @@ namespace {
 using sample_run::Folder;
 
 /// A rock that crosses cells from west to east, with this total energy [J] and height [m] in each.
-void write_maps_of(const Folder& folder, const std::vector<float>& values) {
+void write_maps_of(const Folder& folder, const std::vector<float>& values, const MapSelection& selection = {}) {
   std::vector<MapVisit> path;
   for (std::size_t k = 0; k < values.size(); ++k) {
     path.push_back({{static_cast<std::int32_t>(k), 0}, {values[k], values[k] / 2, 1, values[k]}, 0, false});
@@ -29,7 +29,7 @@ void write_maps_of(const Folder& folder, const std::vector<float>& values) {
   const std::vector<std::span<const MapVisit>> paths{path};
   Maps maps(MapGrid({2'600'000, 1'200'000}, 5, {}));
   maps.add(values.size(), paths);
-  (void)write_maps(maps, {}, "", folder.path / "maps");
+  (void)write_maps(maps, selection, "", folder.path / "maps");
 }
 
 const ReportMap& named(const std::vector<ReportMap>& maps, const std::string& name) {
@@ -39,20 +39,32 @@ const ReportMap& named(const std::vector<ReportMap>& maps, const std::string& na
   throw std::out_of_range(name);
 }
 
-TEST(ReportMaps, AreReachEnergyHeightAndVelocity) {
+TEST(ReportMaps, AreHeightEnergyVelocityAndReach) {
   if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
   const Folder folder("report-maps");
   write_maps_of(folder, {1, 10, 100});
   const auto maps = read_report_maps(folder.path);
   ASSERT_EQ(maps.size(), 4u);
-  EXPECT_EQ(maps[0].name, "reach_share");
+  EXPECT_EQ(maps[0].name, "bounce_height_max_m");
   EXPECT_EQ(maps[1].name, "energy_total_max_kJ");
-  EXPECT_EQ(maps[2].name, "bounce_height_max_m");
-  EXPECT_EQ(maps[3].name, "velocity_max_m_s");
+  EXPECT_EQ(maps[2].name, "velocity_max_m_s");
+  EXPECT_EQ(maps[3].name, "reach_share");
   EXPECT_EQ(maps[1].origin, (std::array<double, 2>{2'600'000, 1'200'000}));
   EXPECT_EQ(maps[1].cell, (std::array<double, 2>{5, 5}));
   EXPECT_EQ(maps[1].columns, 3);
   EXPECT_EQ(maps[1].rows, 1);
+}
+
+/// The maximum in a cell is mostly that of one rock: the 95th percentile takes its place where the run has it.
+TEST(ReportMaps, ShowPercentilesIfTheRunHasThem) {
+  if (!can_write_maps()) GTEST_SKIP() << "no maps without GDAL";
+  const Folder folder("report-maps");
+  write_maps_of(folder, {1, 10, 100}, {.percentiles = {95}});
+  const auto maps = read_report_maps(folder.path);
+  ASSERT_EQ(maps.size(), 4u);
+  EXPECT_EQ(maps[0].name, "bounce_height_p95_m");
+  EXPECT_EQ(maps[1].name, "energy_total_p95_kJ");
+  EXPECT_EQ(maps[2].name, "velocity_p95_m_s");
 }
 
 TEST(ReportMaps, HaveLevelsFromTheMinimumToTheMaximum) {

@@ -344,8 +344,8 @@ TEST(MapStyle, HasFixedClassesAndTheRangeOfTheValues) {
   EXPECT_NE(style.find("leastValue=\"0.5\" greatestValue=\"794\""), std::string::npos);
   EXPECT_NE(style.find("colorRampType=\"DISCRETE\""), std::string::npos);
   EXPECT_NE(style.find("<item value=\"30\" label=\"0 to 30 kJ\" color=\"#ffffb2\""), std::string::npos);
-  EXPECT_NE(style.find("<item value=\"300\" label=\"100 to 300 kJ\" color=\"#feb24c\""), std::string::npos);
-  EXPECT_NE(style.find("<item value=\"inf\" label=\"3000 kJ and more\" color=\"#bd0026\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"300\" label=\"100 to 300 kJ\" color=\"#fda63f\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"inf\" label=\"3000 kJ and more\" color=\"#800026\""), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "talus/archive/report_maps.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -14,23 +16,23 @@ namespace talus {
 namespace {
 
 struct Shown {
-  const char* name;
-  bool is_logarithmic;  // whether levels are logarithmic
+  const char* name;       // with {} for the part of a quantity: its 95th percentile, or its maximum without one
+  bool is_logarithmic{};  // whether levels are logarithmic
 };
 
-constexpr Shown shown_maps[] = {{"reach_share", true},
+constexpr Shown shown_maps[] = {{"bounce_height_{}_m", false},
+                                {"bounce_height_{}_low_m", false},
+                                {"bounce_height_{}_high_m", false},
+                                {"energy_total_{}_kJ", true},
+                                {"energy_total_{}_low_kJ", true},
+                                {"energy_total_{}_high_kJ", true},
+                                {"velocity_{}_m_s", false},
+                                {"velocity_{}_low_m_s", false},
+                                {"velocity_{}_high_m_s", false},
+                                {"reach_share", true},
                                 {"reach_share_low", true},
                                 {"reach_share_high", true},
-                                {"reach_share_parameter_part", false},
-                                {"energy_total_max_kJ", true},
-                                {"energy_total_max_low_kJ", true},
-                                {"energy_total_max_high_kJ", true},
-                                {"bounce_height_max_m", false},
-                                {"bounce_height_max_low_m", false},
-                                {"bounce_height_max_high_m", false},
-                                {"velocity_max_m_s", false},
-                                {"velocity_max_low_m_s", false},
-                                {"velocity_max_high_m_s", false}};
+                                {"reach_share_parameter_part", false}};
 
 /// The range of the values above 0.
 ValueRange range_of(const std::vector<float>& values) {
@@ -52,9 +54,9 @@ std::uint8_t level_of(double value, bool is_logarithmic, const ValueRange& range
   return static_cast<std::uint8_t>(1 + std::lround(most * std::clamp(part, 0.0, 1.0)));
 }
 
-ReportMap as_levels(const Shown& kind, const ClassLimits& limits, const MapValues& map) {
-  ReportMap out{.name = kind.name,
-                .is_logarithmic = kind.is_logarithmic,
+ReportMap as_levels(const std::string& name, bool is_logarithmic, const ClassLimits& limits, const MapValues& map) {
+  ReportMap out{.name = name,
+                .is_logarithmic = is_logarithmic,
                 .range = range_of(map.values),
                 .limits = limits,
                 .origin = map.origin,
@@ -62,7 +64,7 @@ ReportMap as_levels(const Shown& kind, const ClassLimits& limits, const MapValue
                 .columns = map.columns,
                 .rows = map.rows};
   out.levels.reserve(map.values.size());
-  for (const float value : map.values) out.levels.push_back(level_of(value, kind.is_logarithmic, out.range));
+  for (const float value : map.values) out.levels.push_back(level_of(value, is_logarithmic, out.range));
   return out;
 }
 
@@ -71,14 +73,18 @@ ReportMap as_levels(const Shown& kind, const ClassLimits& limits, const MapValue
 std::vector<ReportMap> read_report_maps(const std::filesystem::path& folder) {
   std::vector<ReportMap> maps;
   if (!can_write_maps()) return maps;
-  const std::vector<MapKind> kinds = map_kinds({.bands = banded_map_subjects});
-  for (const Shown& kind : shown_maps) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(folder / "maps" / (std::string(kind.name) + ".tif"), ignored)) continue;
-    MapFile file;
-    file.name = kind.name;
-    const auto known = std::ranges::find(kinds, kind.name, &MapKind::name);
-    maps.push_back(as_levels(kind, known->limits, read_map(folder, file, most_report_cells)));
+  const std::vector<MapKind> kinds = map_kinds({.percentiles = {95}, .bands = banded_map_subjects});
+  for (const Shown& shown : shown_maps) {
+    for (const char* part : {"p95", "max"}) {
+      MapFile file;
+      file.name = fmt::format(fmt::runtime(shown.name), part);
+      std::error_code ignored;
+      if (!std::filesystem::exists(folder / "maps" / (file.name + ".tif"), ignored)) continue;
+      const auto known = std::ranges::find(kinds, file.name, &MapKind::name);
+      maps.push_back(
+          as_levels(file.name, shown.is_logarithmic, known->limits, read_map(folder, file, most_report_cells)));
+      break;
+    }
   }
   return maps;
 }

@@ -8,14 +8,14 @@ namespace talus {
 
 namespace {
 
-// "YlOrRd" of C. Brewer's ColorBrewer 2.0: one hue that gets deeper, distinguishable in print and by colour-blind
-// readers.
+// After "YlOrRd" of C. Brewer's ColorBrewer 2.0, with more even steps of lightness: its third and fourth of six colours
+// are hard to tell apart without green cones and in print without colour (test/maps/map_style_test.cpp).
 constexpr std::array<std::array<std::uint8_t, 3>, map_class_count> colours{{{0xff, 0xff, 0xb2},
-                                                                            {0xfe, 0xd9, 0x76},
-                                                                            {0xfe, 0xb2, 0x4c},
-                                                                            {0xfd, 0x8d, 0x3c},
-                                                                            {0xf0, 0x3b, 0x20},
-                                                                            {0xbd, 0x00, 0x26}}};
+                                                                            {0xfe, 0xd6, 0x70},
+                                                                            {0xfd, 0xa6, 0x3f},
+                                                                            {0xf0, 0x70, 0x2c},
+                                                                            {0xc8, 0x28, 0x1e},
+                                                                            {0x80, 0x00, 0x26}}};
 
 std::string label_of(const MapClass& each, const std::string& unit) {
   const std::string behind = unit.empty() ? "" : " " + unit;

@@ -13,7 +13,14 @@ export interface MapGroup {
 
 export const capital = (text: string) => `${text.charAt(0).toUpperCase()}${text.slice(1)}`;
 
-/// A meaning is "quantity: part", or a count. Groups come in the order of their first maps.
+/// The quantities that a design needs come first, then the others in the order of their first maps.
+const first = ['bounce height', 'total kinetic energy', 'translational kinetic energy', 'velocity'];
+const rankOf = ({ title }: MapGroup) => {
+  const rank = first.findIndex((each) => title.toLowerCase().startsWith(each));
+  return rank < 0 ? first.length : rank;
+};
+
+/// A meaning is "quantity: part", or a count.
 export function mapGroups(maps: readonly RunMap[]): MapGroup[] {
   const groups: MapGroup[] = [];
   for (const map of maps) {
@@ -23,5 +30,5 @@ export function mapGroups(maps: readonly RunMap[]): MapGroup[] {
     if (!group) groups.push((group = { title, unit: quantity === undefined ? '' : map.unit, source: map.source, maps: [] }));
     group.maps.push({ map, part: ofQuantity ?? map.meaning });
   }
-  return groups;
+  return groups.sort((one, other) => rankOf(one) - rankOf(other));
 }

@@ -1,23 +1,31 @@
-// Maps of results over the shaded relief, with barriers and releases: reach probability, energy, bounce height, velocity.
+// Maps of results over the shaded relief, with barriers and releases: bounce height, energy, velocity, reach probability.
 
-// Units are those of the data.
-const mapKindsOfAll = {
-  reach_share: {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: 'share'},
-  energy_total_max_kJ: {title: 'Maximum total kinetic energy', quantity: 'Total kinetic energy, maximum of all rocks', unit: 'kJ'},
-  bounce_height_max_m: {title: 'Maximum bounce height', quantity: 'Bounce height of the lowest point, maximum of all rocks', unit: 'm'},
-  velocity_max_m_s: {title: 'Maximum velocity', quantity: 'Velocity, maximum of all rocks', unit: 'm/s'},
-};
+// Units are those of the data. Of a quantity the 95th percentile is shown, or the maximum if the run has no such map.
+const quantitiesOfMaps = [
+  {name: 'bounce_height', unitInName: 'm', title: 'bounce height', of: 'Bounce height of the lowest point', unit: 'm'},
+  {name: 'energy_total', unitInName: 'kJ', title: 'total kinetic energy', of: 'Total kinetic energy', unit: 'kJ'},
+  {name: 'velocity', unitInName: 'm_s', title: 'velocity', of: 'Velocity', unit: 'm/s'},
+];
+const partsOfMaps = [
+  {part: 'p95', title: (what) => `95 % ${what}`, of: '95 % of the rocks in the cell have less'},
+  {part: 'max', title: (what) => `Maximum ${what}`, of: 'maximum of all rocks'},
+];
 
-// Each is followed by the ends of its range between ensembles, if the run has them.
-const mapKinds = Object.fromEntries(Object.entries(mapKindsOfAll).flatMap(([name, kind]) => {
-  const end = (word) => name === 'reach_share' ? `${name}_${word}` : name.replace('_max_', `_max_${word}_`);
+// A map, and the ends of its range between ensembles, by name.
+function withEnds(nameOf, kind) {
   const title = (word) => `${kind.title}: ${word} end of the range between ensembles`;
-  return [[name, kind],
-    [end('low'), {...kind, title: title('low'), quantity: `${kind.title}; 5 % of the ensembles are below`}],
-    [end('high'), {...kind, title: title('high'), quantity: `${kind.title}; 5 % of the ensembles are above`}],
-    ...(name === 'reach_share' ? [['reach_share_parameter_part', {title: 'Part of the parameters in the reach probability',
-      quantity: 'Part of its variance between ensembles', unit: 'share'}]] : [])];
-}));
+  return [[nameOf(''), kind],
+    [nameOf('low_'), {...kind, title: title('low'), quantity: `${kind.title}; 5 % of the ensembles are below`}],
+    [nameOf('high_'), {...kind, title: title('high'), quantity: `${kind.title}; 5 % of the ensembles are above`}]];
+}
+
+// In the order of the page.
+const mapKinds = Object.fromEntries([
+  ...quantitiesOfMaps.flatMap(({name, unitInName, title, of, unit}) => partsOfMaps.flatMap((part) =>
+    withEnds((end) => `${name}_${part.part}_${end}${unitInName}`, {title: part.title(title), quantity: `${of}: ${part.of}`, unit}))),
+  ...withEnds((end) => `reach_share${end && `_${end.slice(0, -1)}`}`, {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: 'share'}),
+  ['reach_share_parameter_part', {title: 'Part of the parameters in the reach probability', quantity: 'Part of its variance between ensembles', unit: 'share'}],
+]);
 
 // A map's values in the displayed unit, row by row from the south; null where no rock passed.
 function mapValues(map) {

@@ -1,4 +1,5 @@
-// The first block of the report: cards with the main results, warnings, end reasons.
+// The first block of the report: cards with the main results, warnings, end reasons. Heights are those at barriers and
+// collectors: the greatest of a run is mostly a fall from the cliff, which no fence has to stop.
 
 function cards(parent) {
   const box = element(parent, 'div', null, {class: 'cards'});
@@ -22,7 +23,6 @@ function cards(parent) {
   card('Mean runout (plan)', of('runout_xy_m', 'mean', 'm'));
   card('Maximum runout (plan)', of('runout_xy_m', 'maximum', 'm'));
   card('Maximum total kinetic energy', of('max_ke_J', 'maximum', 'J'));
-  card('Maximum height above ground (lowest point), free falls included', of('max_bounce_m', 'maximum', 'm'));
   const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
   if (names.length > 0 && names.length <= 2) {
     for (const name of names) {
@@ -30,6 +30,13 @@ function cards(parent) {
         const b = run.barriers.find((other) => other.name === name);
         return b ? [number(b.hits), `hits, ${number(b.passed_above)} above`] : null;
       });
+      const percentileAt = (key, unit) => (run) => {
+        const b = run.barriers.find((other) => other.name === name);
+        const value = (((b || {}).statistics || {})[key] || {percentiles: {}}).percentiles['95'];
+        return isNumber(value) ? [resultIn(unit, value), unitIn(unit)] : null;
+      };
+      card(`95 % total energy at ${name}`, percentileAt('ke_total_J', 'J'));
+      card(`95 % height of contact at ${name}`, percentileAt('impact_height_m', 'm'));
     }
   }
 }
