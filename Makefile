@@ -12,6 +12,8 @@ DOCS_PACKAGES := python3-sphinx python3-myst-parser furo node-normalize.css
 PACK_PACKAGES := dpkg-dev lintian desktop-file-utils
 FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
 FUZZ_SECONDS ?= 600
+# ON: a warning ends the build. CI sets it; who builds from source with another compiler is not to be stopped.
+WERROR ?= OFF
 
 .PHONY: build program run test test-kernel test-qgis verify validate bench docs package test-package release soak asan tsan fuzz tidy format clean \
   setup setup-test
@@ -34,11 +36,11 @@ setup-test: setup
 
 # A whole build compiles several files at once, which takes half the time (CONTRIBUTING says how to build while editing).
 build: setup
-	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release
+	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) >/dev/null && cmake --build --preset release
 
 # The program alone, without the Python package.
 program: setup
-	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release --target talus_cli
+	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) >/dev/null && cmake --build --preset release --target talus_cli
 
 run: program
 	@build/talus run examples/tutorial-1/tutorial-1-2d.toml -o out/tutorial-1-2d
@@ -46,12 +48,12 @@ run: program
 	@echo "Open out/tutorial-1-2d/report.html and out/tutorial-1-3d/report.html in a browser."
 
 test: setup-test
-	@cmake --preset release -DTALUS_TESTS=ON -DTALUS_UNITY=ON >/dev/null && bench/build.py test cmake --build --preset release
+	@cmake --preset release -DTALUS_TESTS=ON -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) >/dev/null && bench/build.py test cmake --build --preset release
 	@ctest --preset release
 
 # While editing the kernel: builds what its tests need, file by file, and runs them.
 test-kernel: setup-test
-	@cmake --preset release -B build-kernel -DTALUS_TESTS=ON -DTALUS_UNITY=OFF >/dev/null && \
+	@cmake --preset release -B build-kernel -DTALUS_TESTS=ON -DTALUS_UNITY=OFF -DTALUS_WERROR=$(WERROR) >/dev/null && \
 	  cmake --build build-kernel --target talus_kernel_tests
 	@ctest --test-dir build-kernel -L kernel -j2 --output-on-failure
 
@@ -64,14 +66,14 @@ validate: program
 	@for f in validation/*/results.csv; do diff $$f out/$$f || exit 1; done
 
 bench: setup
-	@cmake --preset bench -DTALUS_UNITY=ON >/dev/null && cmake --build --preset bench
+	@cmake --preset bench -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) >/dev/null && cmake --build --preset bench
 	@bench/run-all build-bench
 
 asan: setup-test
-	@cmake --preset asan-ubsan -DTALUS_UNITY=ON -DTALUS_TEST_FOLDERS="$(TEST_FOLDERS)" >/dev/null && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
+	@cmake --preset asan-ubsan -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) -DTALUS_TEST_FOLDERS="$(TEST_FOLDERS)" >/dev/null && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
 
 tsan: setup-test
-	@cmake --preset tsan -DTALUS_UNITY=ON -DTALUS_TEST_FOLDERS="$(TEST_FOLDERS)" >/dev/null && cmake --build --preset tsan && ctest --preset tsan
+	@cmake --preset tsan -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) -DTALUS_TEST_FOLDERS="$(TEST_FOLDERS)" >/dev/null && cmake --build --preset tsan && ctest --preset tsan
 
 # The QGIS plugin, in a QGIS without a window.
 test-qgis: program
@@ -89,7 +91,7 @@ docs: setup
 # Debian packages, an archive of the program that runs in any folder, and one of the source: build/packages.
 package: setup
 	$(call install,$(PACK_PACKAGES))
-	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON --no-warn-unused-cli \
+	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) --no-warn-unused-cli \
 	  -DTALUS_PYTHON_DIR=lib/python3/dist-packages >/dev/null && cmake --build --preset release
 	@packaging/package build/packages
 
@@ -111,7 +113,7 @@ fuzz: setup
 # Random rocks on random ground by the hundred thousand, 2,000 random projects, and calibrations of a hundred synthetic
 # sites.
 soak: setup-test
-	@cmake --preset release -DTALUS_TESTS=ON -DTALUS_UNITY=ON >/dev/null && cmake --build --preset release
+	@cmake --preset release -DTALUS_TESTS=ON -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) >/dev/null && cmake --build --preset release
 	@TALUS_TEST_EFFORT=50 build/talus_kernel_tests --gtest_filter='*RandomRocks*:RandomBlocks*'
 	@TALUS_TEST_EFFORT=50 build/talus_tests --gtest_filter='*RandomProjects*:*CalibrationCoverage*:Kinds*'
 
