@@ -1,16 +1,5 @@
 # The two commands of a fresh machine are `make run` and `make test`; both install what they need first.
-PREFIX_RUN := $(shell [ "$$(id -u)" = 0 ] || echo sudo)
-PACKAGES := g++ cmake ninja-build ccache libeigen3-dev libtbb-dev librandom123-dev libboost-dev \
-  libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libxxhash-dev libgdal-dev libproj-dev libsqlite3-dev libopenmpi-dev \
-  libcpp-httplib-dev libqhull-dev libssl-dev python3-dev python3-numpy pybind11-dev
-TEST_PACKAGES := libgtest-dev libgmock-dev openmpi-bin gdal-bin clang-14 python3 chromium poppler-utils esbuild node-d3 \
-  python3-pytest python3-pandas python3-matplotlib python3-xarray python3-nbclient python3-ipykernel python3-rasterio \
-  python3-geopandas valgrind
-
-QGIS_PACKAGES := qgis python3-qgis qgis-providers xvfb xauth
-DOCS_PACKAGES := python3-sphinx python3-myst-parser furo node-normalize.css
-PACK_PACKAGES := dpkg-dev lintian desktop-file-utils
-FUZZ_PACKAGES := clang-14 libclang-rt-14-dev
+include packaging/packages.mk
 FUZZ_SECONDS ?= 600
 # ON: a warning ends the build. CI sets it; who builds from source with another compiler is not to be stopped.
 WERROR ?= OFF
@@ -18,18 +7,8 @@ WERROR ?= OFF
 .PHONY: build program run test test-kernel test-qgis verify validate bench docs package test-package release soak asan tsan fuzz tidy format clean \
   setup setup-test
 
-define install
-	@missing=""; for p in $(1); do dpkg-query -W -f='$${Status}' $$p 2>/dev/null | grep -q 'ok installed' || missing="$$missing $$p"; done; \
-	if [ -n "$$missing" ]; then echo "installing$$missing"; \
-	  $(PREFIX_RUN) apt-get update -q >/dev/null && \
-	  DEBIAN_FRONTEND=noninteractive $(PREFIX_RUN) apt-get install -y -q --no-install-recommends $$missing >/dev/null; fi
-endef
-
-# Node.js may be there from elsewhere, and Debian's npm would not go with it.
-NODE_PACKAGES := $(shell command -v npm >/dev/null || echo nodejs npm)
-
 setup:
-	$(call install,$(PACKAGES) $(NODE_PACKAGES))
+	$(call install,$(BUILD_PACKAGES) $(NODE_PACKAGES))
 
 setup-test: setup
 	$(call install,$(TEST_PACKAGES))
