@@ -3,7 +3,6 @@
 #include "talus/gdal/gdal_files.hpp"
 
 #include <cpl_string.h>
-#include <cpl_vsi_virtual.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "talus/files/ordinary_file.hpp"
+#include "talus/gdal/gdal_handlers.hpp"
 
 namespace talus {
 
@@ -188,10 +188,10 @@ class GuardedDisk final : public VSIFilesystemHandler {
   explicit GuardedDisk(VSIFilesystemHandler* disk) : disk_(disk) {}
 
   using VSIFilesystemHandler::Open;
-  VSIVirtualHandle* Open(const char* name, const char* how, bool says_errors, CSLConstList options) override {
+  OpenedByGdal Open(const char* name, const char* how, bool says_errors, CSLConstList options) override {
     const bool is_written = std::string_view(how).find_first_of("wa+") != std::string_view::npos;
     if (is_written ? !may_write(name) : !may_read(name)) return nullptr;
-    VSIVirtualHandle* const file = disk_->Open(name, how, says_errors, options);
+    OpenedByGdal file = disk_->Open(name, how, says_errors, options);
     if (file == nullptr && errno != ENOENT && errno != ENOTDIR && !failure) {
       failure = std::string(name) + ": " + std::strerror(errno);
     }
@@ -203,9 +203,15 @@ class GuardedDisk final : public VSIFilesystemHandler {
   int Unlink(const char* name) override { return may_write(name) ? disk_->Unlink(name) : -1; }
   int Mkdir(const char* name, long mode) override { return may_write(name) ? disk_->Mkdir(name, mode) : -1; }
   int Rmdir(const char* name) override { return may_write(name) ? disk_->Rmdir(name) : -1; }
+#if GDAL_VERSION_NUM >= GDAL_COMPUTE_VERSION(3, 11, 0)
+  int Rename(const char* from, const char* to, GDALProgressFunc progress, void* of_progress) override {
+    return may_write(from) && may_write(to) ? disk_->Rename(from, to, progress, of_progress) : -1;
+  }
+#else
   int Rename(const char* from, const char* to) override {
     return may_write(from) && may_write(to) ? disk_->Rename(from, to) : -1;
   }
+#endif
   char** ReadDirEx(const char* name, int most) override {
     return may_list(name) ? without_special_files(name, disk_->ReadDirEx(name, most)) : nullptr;
   }
@@ -214,7 +220,7 @@ class GuardedDisk final : public VSIFilesystemHandler {
   int SupportsSparseFiles(const char* name) override { return disk_->SupportsSparseFiles(name); }
 
  private:
-  std::unique_ptr<VSIFilesystemHandler> disk_;
+  VSIFilesystemHandler* disk_;
 };
 
 /// Replaces a file system of GDAL that may not be used, but by others (may be null).
@@ -223,7 +229,7 @@ class NoFiles final : public VSIFilesystemHandler {
   explicit NoFiles(VSIFilesystemHandler* of_others) : of_others_(of_others) {}
 
   using VSIFilesystemHandler::Open;
-  VSIVirtualHandle* Open(const char* name, const char* how, bool says_errors, CSLConstList options) override {
+  OpenedByGdal Open(const char* name, const char* how, bool says_errors, CSLConstList options) override {
     return is_open() ? of_others_->Open(name, how, says_errors, options) : nullptr;
   }
   int Stat(const char* name, VSIStatBufL* found, int flags) override {
@@ -245,17 +251,14 @@ std::optional<std::string> failure_of_disk() { return std::exchange(failure, std
 
 void guard_gdal_files(bool is_shared) {
   is_shared_with_others = is_shared;
-  // GDAL drops replaced handlers without freeing them; they are kept here, and never freed.
-  static std::vector<VSIFilesystemHandler*> replaced;
   const CPLStringList known(VSIFileManager::GetPrefixes());
   std::vector<std::string> prefixes{"/vsicurl?"};  // GetPrefixes does not list this one
   for (int i = 0; i < known.size(); ++i) prefixes.emplace_back(known[i]);
   for (const std::string& prefix : prefixes) {
     if (prefix == in_memory || std::ranges::find(archives, prefix) != archives.end()) continue;
-    replaced.push_back(VSIFileManager::GetHandler(prefix.c_str()));
-    VSIFileManager::InstallHandler(prefix, new NoFiles(replaced.back()));
+    install_gdal_handler(prefix, std::make_unique<NoFiles>(VSIFileManager::GetHandler(prefix.c_str())));
   }
-  VSIFileManager::InstallHandler("", new GuardedDisk(VSIFileManager::GetHandler("")));
+  install_gdal_handler("", std::make_unique<GuardedDisk>(VSIFileManager::GetHandler("")));
 }
 
 }  // namespace talus
