@@ -93,5 +93,6 @@ function(talus_embed_report target)
     COMMENT "Embedding the report's page"
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
-  set_source_files_properties(${output} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(${output} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+    COMPILE_OPTIONS -Wno-overlength-strings)  # clang warns of texts that a compiler of 1998 might not take
 endfunction()

@@ -43,7 +43,7 @@ std::shared_ptr<const BuiltProject> RunModels::find(const Run& run) {
   if (!built) return nullptr;  // not cached: the project's files may be restored
   const std::lock_guard lock(mutex_);
   std::erase_if(kept_, is_it);
-  kept_.push_front(std::make_shared<const Kept>(run.id, built, bytes_of(built->model)));
+  kept_.push_front(std::make_shared<const Kept>(Kept{run.id, built, bytes_of(built->model)}));
   kept_.resize(count_within(kept_, most_bytes_));
   return built;
 }

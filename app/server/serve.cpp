@@ -133,6 +133,9 @@ void serve(const ServeOptions& options) {
   struct Ending {
     WebServer& server;
     ModelReading& reading;
+    Ending(WebServer& of_requests, ModelReading& of_models) : server(of_requests), reading(of_models) {}
+    Ending(const Ending&) = delete;
+    Ending& operator=(const Ending&) = delete;
     ~Ending() {
       server.end_connections();
       server.wait();

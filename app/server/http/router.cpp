@@ -180,7 +180,8 @@ double Call::number(const std::string& key, double default_value) const {
 
 void Call::only(std::initializer_list<const char*> keys) const {
   for (const auto& [key, value] : body.items()) {
-    const bool known = std::any_of(keys.begin(), keys.end(), [&](const char* name) { return key == name; });
+    const bool known =
+        std::any_of(keys.begin(), keys.end(), [&given = key](const char* name) { return given == name; });
     if (!known) throw Refusal(400, key, "is not a key of this request");
   }
 }
