@@ -67,11 +67,11 @@ docs: setup
 	@rm -rf build-docs && sphinx-build -q -W --keep-going -b html -c docs/site -d build-docs/doctrees . build-docs/html
 	@python3 docs/site/check.py build-docs/html
 
-# Debian packages, an archive of the program that runs in any folder, and one of the source: build/packages.
+# Debian packages, an archive of the program with all its libraries, and one of the source: build/packages.
 package: setup
 	$(call install,$(PACK_PACKAGES))
 	@cmake --preset release -DTALUS_TESTS=OFF -DTALUS_UNITY=ON -DTALUS_WERROR=$(WERROR) --no-warn-unused-cli \
-	  -DTALUS_PYTHON_DIR=lib/python3/dist-packages >/dev/null && cmake --build --preset release
+	  -DTALUS_PYTHON_DIR=lib/python3/dist-packages >/dev/null && cmake --build --preset release --target all talus_bundled
 	@packaging/package build/packages
 
 # The packages in a fresh Debian 12 and the archive in another folder, as their users have them. Needs root.

@@ -1,5 +1,4 @@
-# What `make package` makes with CPack: a Debian package for each component that is installed, and an archive of the
-# program that works from any folder.
+# What `make package` makes with CPack: a Debian package for each component that is installed.
 
 set(TALUS_PACKAGER "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 if(TALUS_PACKAGER STREQUAL " <>")
@@ -10,9 +9,8 @@ set(CPACK_PACKAGE_NAME talus)
 set(CPACK_PACKAGE_VENDOR "The Talus authors")
 set(CPACK_PACKAGE_CONTACT "${TALUS_PACKAGER}")
 set(CPACK_OUTPUT_FILE_PREFIX ${CMAKE_BINARY_DIR}/packages)
-set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_SOURCE_DIR}/cmake/package_archive.cmake)
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -20,7 +18,6 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
 
 # talus_package(COMPONENT NAME description...): the component's Debian package, if something is installed with it.
 get_cmake_property(installed COMPONENTS)

@@ -2,6 +2,7 @@
 
 #include "talus/gdal/proj_files.hpp"
 
+#include <dlfcn.h>
 #include <proj.h>
 
 #include <algorithm>
@@ -20,21 +21,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where PROJ keeps its data, without links.
+/// Where PROJ looks for its data.
+std::vector<std::string> searched_by_proj() {
+  std::vector<std::string> places;
+  std::string_view rest = proj_info().searchpath;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    places.emplace_back(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return places;
+}
+
+/// These places as they exist, without links.
 const std::vector<fs::path>& folders_of_proj() {
   static const std::vector<fs::path> folders = [] {
     std::vector<fs::path> found;
-    std::string_view rest = proj_info().searchpath;
-    while (!rest.empty()) {
-      const std::size_t end = std::min(rest.find(':'), rest.size());
+    for (const std::string& place : searched_by_proj()) {
       std::error_code error;
-      const fs::path folder = fs::canonical(rest.substr(0, end), error);
+      const fs::path folder = fs::canonical(place, error);
       if (!error) found.push_back(folder);
-      rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     return found;
   }();
   return folders;
+}
+
+/// The archive of the program has PROJ's data next to PROJ's library (packaging/bundle). The two belong together: those
+/// that the environment or the system names may be of another version, and come after.
+void prefer_bundled_data() {
+  Dl_info library{};
+  if (dladdr(reinterpret_cast<const void*>(&proj_info), &library) == 0 || library.dli_fname == nullptr) return;
+  const fs::path data = fs::path(library.dli_fname).parent_path() / "proj";
+  std::error_code ignored;
+  if (!fs::exists(data / "proj.db", ignored)) return;
+  std::vector<std::string> places = searched_by_proj();
+  places.insert(places.begin(), data.string());
+  std::vector<const char*> names;
+  for (const std::string& place : places) names.push_back(place.c_str());
+  proj_context_set_search_paths(nullptr, static_cast<int>(names.size()), names.data());
 }
 
 bool is_ordinary_file_of_proj(const char* name) {
@@ -105,6 +130,7 @@ const char* guard_context(PJ_CONTEXT* context, const char*, void*) {
 }  // namespace
 
 void guard_proj_files() {
+  prefer_bundled_data();
   (void)folders_of_proj();
   // GDAL has a context of its own for each thread. These copy the finder of the default context, but not its functions
   // for files.
