@@ -95,7 +95,7 @@ GDALDatasetUniquePtr open_raster(GdalMessages& messages, RasterProblems& problem
   }
   if (is_ascii_grid(problems.file())) check_ascii_grid(problems.file(), numbers_of(*dataset));
   if (dataset->GetRasterCount() > 0) return dataset;
-  char** parts = dataset->GetMetadata("SUBDATASETS");
+  const CSLConstList parts = dataset->GetMetadata("SUBDATASETS");
   const char* first = CSLFetchNameValue(parts, "SUBDATASET_1_NAME");
   if (first) {
     const std::string command = fmt::format("gdal_translate {}", shell_word(first));
