@@ -81,7 +81,7 @@ double Comparison::distance_by_chance(double q, std::uint64_t seed, const std::v
       const std::size_t rock = std::min(static_cast<std::size_t>(u * static_cast<double>(rocks)), rocks - 1);
       for (Eigen::Index row = first_rows[rock]; row < first_rows[rock + 1]; ++row) rows.push_back(row);
     }
-    distances.push_back(distance(observed_(rows, Eigen::all)));
+    distances.push_back(distance(observed_(rows, Eigen::seq(0, observed_.cols() - 1))));
   }
   std::sort(distances.begin(), distances.end());
   return distances[static_cast<std::size_t>(q * (resamples - 1))];
