@@ -1,6 +1,7 @@
 #include "talus/study/study_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
