@@ -13,16 +13,11 @@
 #include "load.hpp"
 #include "talus/archive/design_json.hpp"
 #include "talus/archive/design_tables.hpp"
-#include "talus/archive/run_summary.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/files/output_file.hpp"
 #include "talus/lines/asked_run.hpp"
 #include "talus/lines/line_input.hpp"
-#include "talus/lines/stored_paths.hpp"
-#include "talus/model/fingerprint.hpp"
-#include "talus/model/model.hpp"
-#include "talus/project/echo.hpp"
-#include "talus/project/read.hpp"
+#include "talus/lines/reopened_run.hpp"
 
 namespace talus::cli {
 
@@ -44,48 +39,6 @@ struct LineOptions {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// The project that a summary holds, without warnings: the run has given its own, and those about the defaults, which a
-/// summary spells out, are nobody's.
-project::Project project_again(const RunIdentity& run, const fs::path& file, const project::Overrides& overrides) {
-  try {
-    return project::read_project_text(project::text_of_echo(*run.project), file, overrides).project;
-  } catch (const BadInput& refused) {
-    Problems errors;
-    for (const Problem& problem : refused.problems().list()) {
-      if (problem.severity == Severity::error) errors.add(problem);
-    }
-    throw BadInput(errors);
-  }
-}
-
-/// The project and the model of a finished run, from its summary.
-Loaded load_run(const LineOptions& options, const RunIdentity& run) {
-  const fs::path summary = options.folder / "summary.json";
-  if (run.talus.version != TALUS_VERSION) {
-    throw BadInput(Problem{.file = summary.string(),
-                           .what = "these are the results of another version of talus",
-                           .why = fmt::format("it was {} and is {}", run.talus.version, TALUS_VERSION),
-                           .hint = "Run the project again"});
-  }
-  project::Overrides overrides;
-  overrides.asks_a_line = true;
-  for (const std::string& setting : options.design) overrides.settings.push_back("design." + setting);
-  fs::path folder = fs::absolute(options.folder).lexically_normal();
-  if (!folder.has_filename()) folder = folder.parent_path();  // of "out/"
-  const fs::path base = options.files.empty() ? folder.parent_path() : options.files;
-  // By default results are in a folder that has the project's name and is beside it.
-  Loaded loaded{project_again(run, base / (folder.filename().string() + ".toml"), overrides), {}, {}};
-  loaded.model = project::build_model(loaded.project, loaded.warnings);
-  loaded.warnings = {};  // the run has given them
-  if (project::fingerprint_of(*run.project, loaded.model) != run.fingerprint) {
-    throw BadInput(Problem{.file = summary.string(),
-                           .what = "the files of this project have changed since the run",
-                           .why = "the terrain, the ground or the releases are not the same",
-                           .hint = "Run the project again"});
-  }
-  return loaded;
-}
 
 /// "412 kJ (380 to 456 kJ)"
 std::string with_interval(const Json& card, const char* key) {
@@ -267,33 +220,27 @@ void write_json(const fs::path& file, const Json& json) {
 
 int line(const LineOptions& options) {
   take_available_threads();
-  const fs::path store = options.folder / trajectories_name;
-  const RunIdentity identity = read_run_identity(options.folder / "summary.json");
-  Loaded run = load_run(options, identity);
-  std::error_code ignored;
-  if (!fs::exists(store, ignored)) {
-    throw BadInput(Problem{.file = store.string(),
-                           .what = "the run has no stored trajectories",
-                           .why = "lines are asked of the paths of its rocks",
-                           .hint = "Run it again with output.trajectories"});
-  }
-  const AskedRun asked(run.model, std::make_unique<StoredPaths>(store), identity.ways);
-  project::DesignBasis basis = project::design_basis(run.project);
+  std::vector<std::string> settings;
+  for (const std::string& setting : options.design) settings.push_back("design." + setting);
+  const ReopenedRun run(options.folder, options.files, settings);
+  const AskedRun& asked = run.asked();
+  const Model& model = run.model();
+  project::DesignBasis basis = project::design_basis(run.project());
   AnswerOptions answer_options;
   if (options.height_m) answer_options.kit = KitSize{*options.height_m, *options.energy_kJ * 1000};
   Problems warnings;
   if (!options.polygon.empty()) {
-    const auto corners = places_given(options.polygon, PlanShape::polygon, run.model, "--polygon", warnings);
-    const AskedArea area = drawn_area(run.model, corners, "--polygon", warnings);
+    const auto corners = places_given(options.polygon, PlanShape::polygon, model, "--polygon", warnings);
+    const AskedArea area = drawn_area(model, corners, "--polygon", warnings);
     print_warnings(warnings);
     const auto [json, rocks, doubts] = asked.area(basis, area, answer_options);
     print_warnings(doubts);
     write_json(options.json, json);
-    print_area(json, asked.sources(), run.model);
+    print_area(json, asked.sources(), model);
     return done;
   }
   if (!options.ditch.empty()) {
-    const Ditch ditch = ditch_between(run.model, options.ditch[0], options.ditch[1], "--ditch");
+    const Ditch ditch = ditch_between(model, options.ditch[0], options.ditch[1], "--ditch");
     const auto [json, rocks, doubts] = asked.ditch(ditch, basis.design.confidence);
     print_warnings(doubts);
     write_json(options.json, json);
@@ -301,19 +248,18 @@ int line(const LineOptions& options) {
     return done;
   }
   const double height = answer_options.kit ? answer_options.kit->height : asked_height;
-  const AskedLine line =
-      !options.barrier.empty()
-          ? line_of_barrier(run.model, options.barrier, "--barrier")
-          : drawn_line(run.model, places_given(options.line, PlanShape::line, run.model, "--line", warnings), height,
-                       "--line", warnings);
+  const AskedLine line = !options.barrier.empty()
+                             ? line_of_barrier(model, options.barrier, "--barrier")
+                             : drawn_line(model, places_given(options.line, PlanShape::line, model, "--line", warnings),
+                                          height, "--line", warnings);
   print_warnings(warnings);
   if (options.section_m) {
     basis.design.section_m = *options.section_m;
-  } else if (!run.project.design) {
+  } else if (!run.project().design) {
     basis.design.section_m = usual_section(line.barrier);
   }
   if (options.csv) {
-    const LineAnswer answer = ask_lines(run.model, basis, asked.paths(), std::span(&line, 1)).front();
+    const LineAnswer answer = ask_lines(model, basis, asked.paths(), std::span(&line, 1)).front();
     DesignResult result;
     result.lines.push_back(answer.result);
     fmt::print("{}", design_table(answer.plan, result));
@@ -323,7 +269,7 @@ int line(const LineOptions& options) {
   const auto [json, rocks, doubts] = asked.line(basis, line, answer_options);
   print_warnings(doubts);
   write_json(options.json, json);
-  print_line(json, asked.sources(), run.model);
+  print_line(json, asked.sources(), model);
   return done;
 }
 

@@ -10,6 +10,7 @@
 
 #include "results/run_summary.hpp"
 #include "talus/campaign/shard.hpp"
+#include "talus/lines/reopened_run.hpp"
 #include "talus/lines/stored_paths.hpp"
 
 namespace talus::server {
@@ -42,12 +43,7 @@ std::shared_ptr<const BuiltProject> model_of(const Run& run, RunModels& models) 
 std::shared_ptr<OpenRun> AskedRuns::open(const Run& run) {
   const fs::path file = results_folder(run) / trajectories_name;
   const std::string stamp = stamp_of(file);
-  if (stamp.empty()) {
-    throw BadInput(Problem{.file = trajectories_name,
-                           .what = "the run has no stored trajectories",
-                           .why = "lines are asked of the paths of its rocks",
-                           .hint = "Run it again with output.trajectories"});
-  }
+  if (stamp.empty()) throw BadInput(no_trajectories(trajectories_name));
   const auto is_it = [&](const auto& open) { return open->id == run.id; };
   {
     const std::lock_guard lock(mutex_);

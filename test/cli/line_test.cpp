@@ -139,6 +139,9 @@ TEST_F(LineCommand, RefusesWithTheReason) {
   EXPECT_EQ(text_of("--line '15,0 15,north'", 2),
             "--line: \"15,north\" is not a place (expected x,y). Write \"x,y x,y ...\", or name a file that "
             "exists\n");
+  EXPECT_EQ(text_of("--line fence.gpkg", 2),
+            "--line: \"fence.gpkg\" cannot be read (there is no such file). Write \"x,y x,y ...\", or name a file that "
+            "exists\n");
   EXPECT_EQ(text_of("--line '15,0'", 2), "--line: has 1 point (expected at least 2, from one end to the other)\n");
   EXPECT_EQ(text_of("--barrier Net", 2),
             "--barrier: the run has no barrier or collector \"Net\" (it has \"Fence\", \"Line at 15 m\")\n");

@@ -50,6 +50,9 @@ TEST(LineJson, SaysHowManyRocksWouldBeEnough) {
   EXPECT_GE(enough["rocks"].get<std::uint64_t>(), enough["energy"]["rocks"].get<std::uint64_t>());
   EXPECT_NE(enough["text"].get<std::string>().find("(now 40)"), std::string::npos);
   EXPECT_NE(few["card"]["energy_interval"].get<std::string>().find("no upper end"), std::string::npos);
+  EXPECT_EQ(few["design"]["energy_J"], few["whole"]["percentiles"]["ke_translational_J"]["95"]);
+  EXPECT_EQ(few["design"]["height_m"], few["whole"]["percentiles"]["height_m"]["95"]);
+  EXPECT_EQ(few["design"]["velocity_m_s"], few["whole"]["percentiles"]["velocity_m_s"]["95"]);
   const Json loose = answer_to(run, {{35, 0}, {35, 60}}, {.kit = {}, .precision = 1e6, .wants_sources = false});
   EXPECT_TRUE(loose["enough"]["share"]["is_enough"].get<bool>());
   EXPECT_FALSE(loose.contains("sources"));
@@ -80,6 +83,7 @@ TEST(LineJson, OfALineThatNoRockCrosses) {
   EXPECT_EQ(none["whole"]["rocks"], 0);
   EXPECT_EQ(none["card"]["share"], "0.0 %");
   EXPECT_EQ(none["card"]["energy"], "");
+  EXPECT_TRUE(none["design"]["energy_J"].is_null());
   EXPECT_TRUE(none["worst"].is_null());
   EXPECT_TRUE(none["whole"]["maxima"].is_null());
   EXPECT_TRUE(none["kits"]["share"][0][0].is_null());

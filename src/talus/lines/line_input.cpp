@@ -121,6 +121,12 @@ std::vector<PlanPlace> places_given(std::string_view given, PlanShape shape, con
   const bool is_text = given.find_first_of(", \t;") != std::string_view::npos || number_in_cell(given, false);
   if (is_text && !fs::exists(file, ignored))
     return places_in_text(given, std::holds_alternative<Profile>(*model.surface), where);
+  if (!fs::exists(file, ignored)) {
+    throw BadInput(Problem{.where = std::string(where),
+                           .what = fmt::format("\"{}\" cannot be read", given),
+                           .why = "there is no such file",
+                           .hint = "Write \"x,y x,y ...\", or name a file that exists"});
+  }
   std::string ending = file.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".csv" || ending == ".txt" || ending == ".tsv") return places_in_table(file);

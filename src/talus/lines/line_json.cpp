@@ -109,6 +109,18 @@ std::string interval_text(const Estimate& estimate, double unit, const char* nam
   return "too few rocks";
 }
 
+Json estimate_json(const std::optional<Estimate>& estimate) {
+  if (!estimate) return nullptr;
+  return {estimate->value, optional_json(estimate->low), optional_json(estimate->high)};
+}
+
+/// The numbers that a card shows.
+Json numbers_json(const LineAnswer& answer) {
+  return {{"energy_J", estimate_json(design_estimate(answer, checked_energy(answer.plan)))},
+          {"height_m", estimate_json(design_estimate(answer, CrossingQuantity::height))},
+          {"velocity_m_s", estimate_json(design_estimate(answer, CrossingQuantity::velocity))}};
+}
+
 /// The texts of a card. All are empty if no rock crosses, but for the share.
 Json card_json(const LineAnswer& answer) {
   Json card = Json::object();
@@ -259,6 +271,7 @@ Json line_json(const Model& model, const AskedLine& line, const LineAnswer& answ
             {"factors", factors_json(plan.factors)},
             {"design_percentile", plan.design_percentile},
             {"confidence", plan.confidence},
+            {"design", numbers_json(answer)},
             {"whole", figures_with_maxima(answer, answer.result.whole)},
             {"sections", Json::array()}};
   for (std::uint32_t s = 0; s < answer.result.sections.size(); ++s)
