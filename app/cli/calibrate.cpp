@@ -18,12 +18,11 @@
 #include "standard_streams.hpp"
 #include "stop_signals.hpp"
 #include "talus/calibration/best_set.hpp"
-#include "talus/calibration/model_scores.hpp"
+#include "talus/calibration/calibrate_models.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/calibration/study.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/core/stop.hpp"
-#include "talus/files/output_file.hpp"
 #include "talus/project/values.hpp"
 
 namespace talus::cli {
@@ -38,29 +37,10 @@ struct CalibrateOptions {
 };
 
 using calibration::CalibrationResult;
-using calibration::HeldOut;
 using calibration::PreparedStudy;
 using calibration::SetResult;
 using calibration::Study;
 using calibration::StudyModel;
-
-struct Means {
-  double posterior = 0, prior = 0;
-};
-
-/// Over all observations that were held out.
-std::optional<Means> held_out_score(const CalibrationResult& result) {
-  Means sum;
-  double count = 0;
-  for (const HeldOut& held : result.held_out) {
-    const auto n = static_cast<double>(held.observations);
-    sum.posterior += n * held.posterior;
-    sum.prior += n * held.prior;
-    count += n;
-  }
-  if (count == 0) return std::nullopt;
-  return Means{sum.posterior / count, sum.prior / count};
-}
 
 void print_posterior(const PreparedStudy& study, const CalibrationResult& result) {
   std::vector<double> weights;
@@ -79,7 +59,7 @@ void print_posterior(const PreparedStudy& study, const CalibrationResult& result
   fmt::print("The posterior is as accurate as {}\n",
              project::counted(static_cast<std::size_t>(std::lround(result.effective_sets)), "independent set",
                               "independent sets"));
-  if (const auto score = held_out_score(result)) {
+  if (const auto score = calibration::held_out_score(result)) {
     fmt::print("Held-out score {:.3f}; with the prior {:.3f}\n", score->posterior, score->prior);
   }
 }
@@ -112,42 +92,22 @@ CalibrationResult run_one(const Study& study, const StudyModel* model, const std
   return result;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
-/// The folder of a model's results.
-std::filesystem::path model_folder(const std::filesystem::path& folder, std::size_t model) {
-  return folder / fmt::format("model-{}", model + 1);
-}
-
 int calibrate(const CalibrateOptions& options) {
   take_threads(options.threads);
   const calibration::StudyReading reading = calibration::read_study(options.study);
   print_warnings(reading.warnings);
   const Study& study = reading.study;
-  const std::filesystem::path folder = options.folder.empty() ? study.file.parent_path() / study.name : options.folder;
+  const std::filesystem::path folder = options.folder.empty() ? calibration::usual_folder(study) : options.folder;
   catch_stop_signals();
   try {
     if (study.models.empty()) {
       static_cast<void>(run_one(study, nullptr, folder, options));
       return done;
     }
-    make_output_folder(folder);
-    std::vector<calibration::ModelFacts> models;
-    std::vector<std::vector<HeldOut>> held_out;
-    for (std::size_t k = 0; k < study.models.size(); ++k) {
-      CalibrationResult result = run_one(study, &study.models[k], model_folder(folder, k), options);
-      models.push_back({study.models[k].name, model_folder(folder, k).filename().string(),
-                        held_out_score(result).value_or(Means{}).prior, result.effective_sets});
-      held_out.push_back(std::move(result.held_out));
-    }
-    const std::vector<calibration::ModelScore> scores = calibration::compare_models(held_out, study.seed);
-    const std::string table = calibration::models_table(models, scores);
-    write_text(folder / "models.csv", table);
-    write_text(folder / "pooled.csv", calibration::pooled_table(calibration::pooled(held_out, scores)));
+    const std::string table = calibration::calibrate_models_into(
+        folder, study, [&](const StudyModel& model, const std::filesystem::path& own) {
+          return run_one(study, &model, own, options);
+        });
     if (!options.quiet) fmt::print("\n{}", table);
     return done;
   } catch (const Stopped&) {

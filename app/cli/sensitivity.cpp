@@ -58,8 +58,7 @@ int analyse(const SensitivityOptions& options) {
   Problems warnings = doubts;
   const sensitivity::PreparedStudy prepared(study, warnings);
   print_warnings(warnings);
-  const std::filesystem::path folder =
-      options.folder.empty() ? options.study.parent_path() / study.name : options.folder;
+  const std::filesystem::path folder = options.folder.empty() ? sensitivity::usual_folder(study) : options.folder;
   std::optional<Progress> progress;
   sensitivity::AnalysisOptions how{.threads = options.threads};
   const auto rocks = static_cast<std::uint64_t>(study.rocks);

@@ -160,6 +160,8 @@ void write_results(const std::filesystem::path& folder, const Study& study, cons
   write_text(folder / "summary.json", summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
+std::filesystem::path usual_folder(const Study& study) { return study.file.parent_path() / study.name; }
+
 Analysis analyse_into(const std::filesystem::path& folder, const Study& study, const PreparedStudy& prepared,
                       AnalysisOptions options) {
   make_output_folder(folder);

@@ -59,6 +59,9 @@ struct RunRow {
   [[nodiscard]] static std::vector<ColumnText> family_texts();
 };
 
+/// The folder of results where none is given: named after the study, next to its file.
+[[nodiscard]] std::filesystem::path usual_folder(const Study& study);
+
 /// Analyses into a folder. Runs that an earlier analysis of the same study made there are not made again; those of
 /// another study are removed. After a stop (Stopped is thrown) finished runs are kept. Throws BadInput if the folder
 /// cannot be written to, or another program writes to it. Of the options, `known` and `finished` are set here.
