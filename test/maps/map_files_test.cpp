@@ -8,11 +8,13 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/program.hpp"
@@ -138,6 +140,26 @@ TEST(MapFiles, AreReadBackAsWritten) {
   EXPECT_EQ(read_back(work / "maps/energy_translational_mean_kJ.tif").values[2], 0.12F);
   EXPECT_NEAR(read_back(work / "maps/velocity_p50_m_s.tif").values[2], 80, 0.8);
   EXPECT_NEAR(read_back(work / "maps/bounce_height_p99.5_m.tif").values[2], 49.9, 0.5);
+}
+
+TEST(MapFiles, OfAMapInMemoryAreThoseOfARun) {
+  const Workplace work;
+  (void)write_maps(two_rocks(), selection, "", work / "maps");
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<MapKind> kinds = map_kinds(selection);
+  for (const auto& [name, values] : {std::pair("passages", std::vector<double>{none, none, 2, 1, 1, none}),
+                                     std::pair("reach_share", std::vector<double>{none, none, 1, 0.5, 0.5, none})}) {
+    const auto kind = std::ranges::find(kinds, name, &MapKind::name);
+    ASSERT_NE(kind, kinds.end());
+    const std::filesystem::path file = work / "one.tif";
+    write_map(*kind, {3, 2, {2'600'000, 1'200'004}, {2, 2}, values}, "", file);
+    const Read one = read_back(file), all = read_back(work / "maps" / (std::string(name) + ".tif"));
+    EXPECT_EQ(one.values, all.values);
+    EXPECT_EQ(one.geotransform, all.geotransform);
+    EXPECT_EQ(one.type, all.type);
+    EXPECT_EQ(one.description, all.description);
+    EXPECT_EQ(work.read("one.qml"), work.read("maps/" + std::string(name) + ".qml"));
+  }
 }
 
 TEST(MapFiles, AreThoseOfTheDocumentation) {

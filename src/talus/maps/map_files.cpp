@@ -126,10 +126,9 @@ class MapRaster {
  public:
   static constexpr int block = 256;  // cells a side
 
-  MapRaster(const MapKind& kind, bool has_large_counts, const MapGrid& grid, const Maps::Extent& extent,
-            const std::string& crs_wkt, const std::filesystem::path& folder)
-      : kind_(kind), file_(folder / (kind.name + ".tif")), part_(OutputFile::part_of(file_)) {
-    const int columns = extent.last.column - extent.first.column + 1, rows = extent.last.row - extent.first.row + 1;
+  MapRaster(const MapKind& kind, bool has_large_counts, int columns, int rows, const std::array<double, 2>& corner,
+            const std::array<double, 2>& cell, const std::string& crs_wkt, std::filesystem::path file)
+      : kind_(kind), file_(std::move(file)), part_(OutputFile::part_of(file_)) {
     has_overviews_ = wants_overviews(columns, rows);
     name_ = has_overviews_ ? fmt::format("/vsimem/talus-{}.tif", static_cast<const void*>(this)) : part_.string();
     // A part that a killed run left: GDAL would open it and report errors in it.
@@ -143,12 +142,7 @@ class MapRaster {
     const GDALDataType type = !kind.is_count ? GDT_Float32 : has_large_counts ? GDT_Float64 : GDT_UInt32;
     raster_.reset(driver("GTiff", file_).Create(name_.c_str(), columns, rows, 1, type, options));
     if (!raster_) refuse(file_, messages);
-    std::array<double, 6> geotransform{grid.origin().x() + extent.first.column * grid.cell().x(),
-                                       grid.cell().x(),
-                                       0,
-                                       grid.origin().y() + (extent.last.row + 1) * grid.cell().y(),
-                                       0,
-                                       -grid.cell().y()};
+    std::array<double, 6> geotransform{corner[0], cell[0], 0, corner[1], 0, -cell[1]};
     raster_->SetGeoTransform(geotransform.data());
     if (const auto crs = crs_for_file(crs_wkt)) raster_->SetSpatialRef(&*crs);
     GDALRasterBand& band = *raster_->GetRasterBand(1);
@@ -239,8 +233,14 @@ Blocks blocks_of(const Maps& maps, const Maps::Extent& extent) {
 void write_group(const MapsOfRun& maps, const MapGroup& group, const Maps::Extent& extent, const Blocks& blocks,
                  bool is_large, const std::string& crs_wkt, const std::filesystem::path& folder) {
   std::vector<std::unique_ptr<MapRaster>> files;
-  for (const MapKind& kind : group.kinds)
-    files.push_back(std::make_unique<MapRaster>(kind, is_large, maps.all.grid(), extent, crs_wkt, folder));
+  const MapGrid& grid = maps.all.grid();
+  const std::array<double, 2> corner{grid.origin().x() + extent.first.column * grid.cell().x(),
+                                     grid.origin().y() + (extent.last.row + 1) * grid.cell().y()};
+  for (const MapKind& kind : group.kinds) {
+    files.push_back(std::make_unique<MapRaster>(
+        kind, is_large, extent.last.column - extent.first.column + 1, extent.last.row - extent.first.row + 1, corner,
+        std::array{grid.cell().x(), grid.cell().y()}, crs_wkt, folder / (kind.name + ".tif")));
+  }
   std::vector<std::vector<double>> values(files.size());
   std::vector<double> of_cell(files.size());
   MapCells cells(maps, group.needs_ensembles);
@@ -333,9 +333,26 @@ std::vector<std::string> write_maps(const MapsOfRun& maps, const MapSelection& s
   return names;
 }
 
+void write_map(const MapKind& kind, const MapPicture& picture, const std::string& crs_wkt,
+               const std::filesystem::path& file) {
+  make_lists_of_options();
+  const bool is_large = std::ranges::any_of(picture.values, [](double value) { return value > 4294967295.0; });
+  MapRaster raster(kind, is_large, picture.columns, picture.rows, picture.corner, picture.cell, crs_wkt, file);
+  std::vector<double> values = picture.values;
+  std::ranges::replace_if(
+      values, [](double value) { return std::isnan(value); }, value_without_rock(kind));
+  raster.write(0, 0, picture.columns, picture.rows, values);
+  raster.finish();
+}
+
 #else
 
 bool can_write_maps() { return false; }
+
+void write_map(const MapKind&, const MapPicture&, const std::string&, const std::filesystem::path& file) {
+  throw BadInput(
+      Problem{.file = file.string(), .what = "cannot write this map", .why = "this program was built without GDAL"});
+}
 
 std::vector<std::string> write_maps(const MapsOfRun&, const MapSelection&, const std::string&,
                                     const std::filesystem::path& folder) {

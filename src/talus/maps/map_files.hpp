@@ -1,6 +1,7 @@
 #pragma once
 // Maps as cloud-optimised GeoTIFFs, each with a style for QGIS.
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,5 +29,16 @@ void remove_maps(const std::filesystem::path& folder);
 /// Returns the names of the maps.
 std::vector<std::string> write_maps(const MapsOfRun& maps, const MapSelection& selection, const std::string& crs_wkt,
                                     const std::filesystem::path& folder);
+
+/// A map in memory.
+struct MapPicture {
+  int columns = 0, rows = 0;
+  std::array<double, 2> corner{}, cell{};  // the north-western corner, and the size of a cell [m]
+  std::vector<double> values;              // row by row from the north; NaN: no rock
+};
+
+/// Writes one map to a file of any name, and its style beside it, as write_maps() does. Throws BadInput.
+void write_map(const MapKind& kind, const MapPicture& picture, const std::string& crs_wkt,
+               const std::filesystem::path& file);
 
 }  // namespace talus
