@@ -41,9 +41,8 @@ std::shared_ptr<Trajectory> follow(const PreparedModel& prepared, std::uint64_t 
   const Site& site = *prepared.site();
   const talus::Model& model = site.model;
   if (rock >= model.rocks()) {
-    throw BadInput(Problem{.file = site.project.file.string(),
-                           .where = "rock",
-                           .what = "there is no rock " + std::to_string(rock),
+    throw BadInput(Problem{.where = "rock=" + std::to_string(rock),
+                           .what = "there is no such rock",
                            .why = "the project has rocks 0 to " + std::to_string(model.rocks() - 1)});
   }
   auto path = std::make_shared<Trajectory>();

@@ -11,6 +11,17 @@ namespace {
 
 py::object text(const std::string& given) { return given.empty() ? py::object(py::none()) : py::str(as_utf8(given)); }
 
+/// The same problem for someone who writes Python: keyword arguments in place of options of the command line.
+Problem in_python(Problem problem) {
+  const py::object spoken = py::module_::import("talus.spoken").attr("spoken");
+  const bool is_of_setting = problem.file.starts_with("--set ");
+  for (std::string* part : {&problem.file, &problem.where, &problem.what, &problem.why, &problem.hint}) {
+    if (!part->empty()) *part = spoken(as_utf8(*part), is_of_setting).cast<std::string>();
+  }
+  problem.option.clear();
+  return problem;
+}
+
 void translate(std::exception_ptr pointer) {
   try {
     if (pointer) std::rethrow_exception(pointer);
@@ -29,7 +40,8 @@ void translate(std::exception_ptr pointer) {
 py::list as_python(const Problems& problems) {
   const py::object make = py::module_::import("talus.problems").attr("Problem");
   py::list list;
-  for (const Problem& problem : problems.list()) {
+  for (const Problem& given : problems.list()) {
+    const Problem problem = in_python(given);
     list.append(make(py::arg("severity") = problem.severity == Severity::error ? "error" : "warning",
                      py::arg("file") = text(problem.file),
                      py::arg("line") = problem.line > 0 ? py::object(py::int_(problem.line)) : py::none(),

@@ -43,7 +43,7 @@ def overrides(settings: Mapping[str, Any]) -> list[str]:
         elif table["type"] == "array":
             for row, values in value.items():
                 if not isinstance(values, dict) or not values:
-                    raise BadInput(f'{name}.{row} is {values!r} (expected a table of settings). '
+                    raise BadInput(f'{name}={{"{row}": {values!r}}}: expected a table of settings. '
                                    f'For example {name}={{"{row}": {{...}}}}')
                 out += [f"{name}.{key_text(row)}.{key_text(key)}={inline_text(each)}" for key, each in values.items()]
         else:
@@ -58,7 +58,6 @@ def whole_or_none(name: str, value: Any, least: int = 0) -> int | None:
 def whole(name: str, value: Any, least: int = 0) -> int:
     """A whole number."""
     number = value.item() if hasattr(value, "item") and getattr(value, "size", 1) == 1 else value
-    most = 2**63 - 1
-    if isinstance(number, bool) or not isinstance(number, int) or not least <= number <= most:
-        raise BadInput(f"{name} is {value!r} (expected a whole number from {least} to {most})")
+    if isinstance(number, bool) or not isinstance(number, int) or not least <= number < 2**63:
+        raise BadInput(f"{name}={value!r}: expected a whole number, at least {least}")
     return number

@@ -76,8 +76,8 @@ class Interrupted(KeyboardInterrupt):
     """A run that was stopped with Ctrl-C. The rocks done until then are kept."""
 
     result: Any
-    """The results of the rocks done: a :class:`talus.Results`."""
+    """The results of the rocks done: a :class:`talus.Results`, or a :class:`talus.WhatIf`."""
 
-    def __init__(self, result: Any) -> None:
+    def __init__(self, result: Any, done: int, planned: int) -> None:
         self.result = result
-        super().__init__(f"stopped after {result.rocks_done} of {result.rocks} rocks; they are in the exception's result")
+        super().__init__(f"stopped after {done} of {planned} rocks; they are in the exception's result")

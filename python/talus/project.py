@@ -12,6 +12,7 @@ import warnings
 from . import _talus
 from .overrides import declared, overrides, whole_or_none
 from .problems import BadInput, Problem, path_text, unicode_text
+from .spoken import about_tables
 from .toml_text import plain, project_text
 
 __all__ = ["Project"]
@@ -37,7 +38,13 @@ class Project:
     def __init__(self, *, folder: str | os.PathLike[str] = ".", **tables: Any) -> None:
         text = unicode_text("the project", project_text(_in_order(plain(tables))))
         name = re.sub(r"[/\0]", "_", str(tables.get("name") or "project"))
-        self._core = _talus.Project.from_text(text, Path(path_text(folder)) / f"{name}.toml", [], None, None)
+        file = Path(path_text(folder)) / f"{name}.toml"
+        self._table_file = str(file)
+        with about_tables(self._table_file):
+            self._core = _talus.Project.from_text(text, file, [], None, None)
+
+    _table_file: str | None = None
+    """The name that the engine has for its file, if it was made of tables: there is no such file."""
 
     @classmethod
     def read(cls, file: str | os.PathLike[str], *, rocks: int | None = None, seed: int | None = None,
@@ -69,7 +76,10 @@ class Project:
 
     def changed(self, *, rocks: int | None = None, seed: int | None = None, **settings: Any) -> Project:
         """The project with other settings: ``project.changed(material={"Scree": {"roughness_deg": 5}})``."""
-        return Project._of(self._core.changed(*_changes(settings, rocks, seed)))
+        with about_tables(self._table_file):
+            changed = Project._of(self._core.changed(*_changes(settings, rocks, seed)))
+        changed._table_file = self._table_file
+        return changed
 
     @property
     def name(self) -> str:

@@ -11,6 +11,7 @@ from .overrides import overrides, whole, whole_or_none
 from .problems import BadInput, Interrupted, Problem
 from .project import Project
 from .results import Results
+from .spoken import about_tables
 from .surface import Surface
 from .trajectory import Trajectory
 
@@ -30,7 +31,8 @@ class Model:
             raise TypeError(f"a model is made of a Project, not of {project!r} (see prepare)")
         self.project = project
         """The project of which it was made."""
-        self._core = _talus.Model(project._core)
+        with about_tables(project._table_file):
+            self._core = _talus.Model(project._core)
 
     @property
     def rocks(self) -> int:
@@ -64,11 +66,12 @@ class Model:
 
         Ctrl-C in the main thread raises :class:`talus.Interrupted`, whose ``result`` has the rocks done. Raises :class:`talus.BadInput`.
         """
-        core, stopped_by = self._core.run(overrides(settings), whole_or_none("rocks", rocks, 1),
-                                          whole_or_none("seed", seed), _thread_count(threads), _progress(progress))
+        with about_tables(self.project._table_file):
+            core, stopped_by = self._core.run(overrides(settings), whole_or_none("rocks", rocks, 1),
+                                              whole_or_none("seed", seed), thread_count(threads), progress_of(progress))
         result = Results(core)
         if isinstance(stopped_by, KeyboardInterrupt):
-            raise Interrupted(result) from None
+            raise Interrupted(result, result.rocks_done, result.rocks) from None
         if stopped_by is not None:
             raise stopped_by
         return result
@@ -91,7 +94,7 @@ class Model:
 
 def prepare(project: Project | str | os.PathLike[str]) -> Model:
     """Reads the terrain of a project, or of a project file, and places everything on it, for many runs."""
-    return Model(_project(project))
+    return Model(project_of(project))
 
 
 def follow(project: Project | str | os.PathLike[str], rock: int) -> Trajectory:
@@ -102,13 +105,13 @@ def follow(project: Project | str | os.PathLike[str], rock: int) -> Trajectory:
 def run(project: Project | str | os.PathLike[str], *, rocks: int | None = None, seed: int | None = None,
         threads: int = 0, progress: Progress | bool | None = None, **settings: Any) -> Results:
     """Simulates a project, or a project file, in memory. The arguments are those of :meth:`Model.run`."""
-    project = _project(project)
+    project = project_of(project)
     if rocks is not None or seed is not None or settings:
         project = project.changed(rocks=rocks, seed=seed, **settings)
     return prepare(project).run(threads=threads, progress=progress)
 
 
-def _project(project: Project | str | os.PathLike[str]) -> Project:
+def project_of(project: Project | str | os.PathLike[str]) -> Project:
     if isinstance(project, Project):
         return project
     if isinstance(project, Model):
@@ -118,26 +121,26 @@ def _project(project: Project | str | os.PathLike[str]) -> Project:
     return Project.read(project)
 
 
-def _thread_count(threads: int) -> int:
+def thread_count(threads: int) -> int:
     most = 1024
     number = whole("threads", threads)
     if number > most:
-        raise BadInput(f"threads is {threads} (expected 0 to {most}). 0 uses all cores")
+        raise BadInput(f"threads={threads}: expected 0 to {most}. 0 uses all cores")
     return number
 
 
-def _progress(progress: Progress | bool | None) -> Progress | None:
+def progress_of(progress: Progress | bool | None, unit: str = "rocks") -> Progress | None:
     if progress is None or progress is False:
         return None
     if progress is not True:
         if not callable(progress):
-            raise BadInput(f"progress is {progress!r} (expected a function of the rocks done and all rocks, or True)")
+            raise BadInput(f"progress={progress!r}: expected a function of what is done and all that is to do, or True")
         return progress
     try:
         from tqdm.auto import tqdm
     except ImportError:
-        return _print_progress
-    bar = tqdm(unit=" rocks")
+        return lambda done, planned: _print_progress(done, planned, unit)
+    bar = tqdm(unit=f" {unit}")
 
     def show(done: int, planned: int) -> None:
         bar.total = planned
@@ -148,5 +151,5 @@ def _progress(progress: Progress | bool | None) -> Progress | None:
     return show
 
 
-def _print_progress(done: int, planned: int) -> None:
-    print(f"\r{done} of {planned} rocks", end="\n" if done == planned else "", file=sys.stderr, flush=True)
+def _print_progress(done: int, planned: int, unit: str) -> None:
+    print(f"\r{done} of {planned} {unit}", end="\n" if done == planned else "", file=sys.stderr, flush=True)

@@ -16,7 +16,12 @@ def numbers(name: str, value: Any) -> np.ndarray:
             return array.astype(np.float64)
     except (TypeError, ValueError):  # lists of another length
         pass
-    raise BadInput(f"{name} is not numeric (expected a number or an array of numbers)")
+    raise BadInput(f"{name}={_brief(value)}: expected a number or an array of numbers")
+
+
+def _brief(value: Any, longest: int = 40) -> str:
+    text = repr(value)
+    return text if len(text) <= longest else f"{text[:longest]}..."
 
 
 def number(name: str, value: Any, least: float, most: float) -> float:
@@ -41,7 +46,7 @@ def check(name: str, array: np.ndarray, least: float, most: float = np.inf) -> N
     if good.all():
         return
     limits = f"at least {least:g}" + ("" if np.isinf(most) else f" and at most {most:g}")
-    raise BadInput(f"{name} is {array[~good].flat[0]:g} (expected {limits})")
+    raise BadInput(f"{name}={array[~good].flat[0]:g}: expected {limits}")
 
 
 def together(**arrays: np.ndarray) -> tuple[tuple[int, ...], dict[str, np.ndarray]]:

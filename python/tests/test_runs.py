@@ -216,7 +216,7 @@ def test_one_rock_can_be_followed(slope):
     fine = path.at(np.linspace(-1, path.duration + 1, 500))
     steps = np.linalg.norm(np.diff(fine.position, axis=0), axis=1)
     assert steps.max() < 1.1 * np.linalg.norm(fine.velocity, axis=1).max() * (path.duration + 2) / 499
-    with pytest.raises(talus.BadInput, match="there is no rock 200"):
+    with pytest.raises(talus.BadInput, match="^rock=200: there is no such rock"):
         talus.follow(slope, rock=200)
 
 
