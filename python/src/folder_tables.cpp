@@ -59,7 +59,10 @@ std::optional<MapArray> read_map_of_folder(const std::filesystem::path& folder, 
   const std::vector<MapKind> kinds = map_kinds({.percentiles = {}, .bands = banded_map_subjects});
   const std::string plain = name.substr(name.rfind('/') + 1);
   const auto kind = std::ranges::find(kinds, plain, &MapKind::name);
-  MapArray map{.unit = file->unit, .meaning = file->meaning, .is_count = kind != kinds.end() && kind->is_count};
+  MapArray map{.unit = file->unit,
+               .meaning = file->meaning,
+               .is_count = kind != kinds.end() && kind->is_count,
+               .limits = file->limits};
   map.columns = from_south.columns;
   map.rows = from_south.rows;
   map.cell = from_south.cell;

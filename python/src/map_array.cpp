@@ -38,7 +38,7 @@ std::optional<MapArray> map_array(const MapsOfRun& maps, const MapSelection& sel
     const auto kind = std::ranges::find(group.kinds, name, &MapKind::name);
     if (kind == group.kinds.end()) continue;
     const MapGrid& grid = maps.all.grid();
-    MapArray map{.unit = kind->unit, .meaning = kind->meaning, .is_count = kind->is_count};
+    MapArray map{.unit = kind->unit, .meaning = kind->meaning, .is_count = kind->is_count, .limits = kind->limits};
     map.columns = extent->last.column - extent->first.column + 1;
     map.rows = extent->last.row - extent->first.row + 1;
     map.cell = {grid.cell().x(), grid.cell().y()};

@@ -14,6 +14,7 @@ namespace talus::python {
 struct MapArray {
   std::string unit, meaning;  // unit: empty: none
   bool is_count = false;
+  ClassLimits limits{};
   int columns = 0, rows = 0;
   std::array<double, 2> corner{}, cell{};  // the north-western corner of the map, and the size of a cell [m]
   std::vector<float> values;               // row by row from the north; NaN: no rock

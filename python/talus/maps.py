@@ -2,14 +2,28 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+import os
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+from . import _talus
+from .problems import BadInput, path_text
 
 if TYPE_CHECKING:
     import xarray
 
-__all__ = ["Map"]
+__all__ = ["Map", "MapClass"]
+
+
+class MapClass(NamedTuple):
+    """A class of the values of a map, of the same limits and colour in every run."""
+
+    low: float
+    high: float
+    """Not in it; infinite: it has no limit."""
+    colour: str
+    """``#rrggbb``."""
 
 
 class Map(np.ma.MaskedArray):
@@ -24,22 +38,25 @@ class Map(np.ma.MaskedArray):
     """Empty: none."""
     meaning: str
     transform: tuple[float, float, float, float, float, float]
-    """The affine transformation from (column, row) to (x, y), in the order of rasterio: x = a column + b row + c,
-    y = d column + e row + f [m]."""
+    """The affine transformation from (column, row) to (x, y): a, b, c, d, e, f in the order of rasterio, so that
+    ``rasterio.Affine(*transform)`` is the same. x = a column + b row + c, y = d column + e row + f [m], from the
+    north-western corner of the map."""
     crs_wkt: str
-    """The coordinate system; empty if it is unknown."""
+    """The coordinate system as WKT; empty if it is unknown."""
+    limits: tuple[float, ...]
+    """Between its classes."""
 
-    _facts = ("name", "unit", "meaning", "transform", "crs_wkt")
+    _facts = ("name", "unit", "meaning", "transform", "crs_wkt", "limits")
 
     @classmethod
     def _of(cls, name: str, found: tuple[Any, ...], crs_wkt: str) -> Map:
-        values, (west, north), (dx, dy), unit, meaning, is_count = found
+        values, (west, north), (dx, dy), unit, meaning, is_count, limits = found
         mask = np.isnan(values)
         if is_count:
             values = np.where(mask, 0, values).astype(np.int64)
         made = cls(values, mask=mask)
         made._optinfo.update(name=name, unit=unit, meaning=meaning, transform=(dx, 0.0, west, 0.0, -dy, north),
-                             crs_wkt=crs_wkt)
+                             crs_wkt=crs_wkt, limits=tuple(limits))
         return made
 
     def _update_from(self, other: Any) -> None:  # called for all results and parts
@@ -58,7 +75,7 @@ class Map(np.ma.MaskedArray):
 
     def _place(self) -> tuple[float, float, float, float, float, float]:
         if self.transform is None:
-            raise ValueError("a part of a map, or a flipped one, has no transform")
+            raise BadInput("a part of a map, or a flipped one, has no transform")
         return self.transform
 
     @property
@@ -67,6 +84,32 @@ class Map(np.ma.MaskedArray):
         a, _, west, _, e, north = self._place()
         rows, columns = self.shape
         return west, west + a * columns, north + e * rows, north
+
+    @property
+    def crs(self) -> str | None:
+        """The coordinate system as rasterio, pyproj and others take it: ``"EPSG:25832"``, or WKT if it has no number; None
+        if it is unknown."""
+        return _talus.crs_name(self.crs_wkt) or None
+
+    @property
+    def classes(self) -> list[MapClass]:
+        """Its classes: those of the maps of ``talus run`` in QGIS, in the workbench and in the report."""
+        return [MapClass(low, high, "#{:02x}{:02x}{:02x}".format(*colour))
+                for low, high, colour in _talus.map_classes(self.limits)]
+
+    def to_geotiff(self, file: str | os.PathLike[str]) -> None:
+        """Writes it as a GeoTIFF with its coordinate system, and its classes as a style for QGIS (.qml) beside it.
+
+        As a run writes its maps: cells without a rock have no data; whole numbers stay whole. Raises
+        :class:`talus.BadInput`.
+        """
+        path = path_text(file)
+        if not path.lower().endswith((".tif", ".tiff")):
+            raise BadInput(f"{path}: a map is written as a GeoTIFF (expected a name that ends with .tif)")
+        a, _, west, _, e, north = self._place()
+        values = self.astype(np.float64).filled(np.nan)
+        _talus.write_map(path, self.name, self.unit, self.meaning, self.dtype.kind in "iu", self.limits, values,
+                         (west, north), (a, -e), self.crs_wkt)
 
     def to_xarray(self) -> xarray.DataArray:
         """With coordinates x and y of the middles of cells; cells without a rock are NaN."""
