@@ -1,5 +1,6 @@
 """Makes docs/python-reference.md from the docstrings of the package. A test checks that it is up to date."""
 
+from functools import cached_property
 import inspect
 import re
 from typing import Any
@@ -16,10 +17,13 @@ Made from the docstrings of the package; [Python](python.md) shows how to use it
 
 def reference_page() -> str:
     parts = [HEAD]
-    parts += ["## Functions\n", *entries(talus, [talus.run, talus.prepare, talus.follow, talus.open_results, talus.columns,
-                                                talus.schema])]
-    for kind in (talus.Project, talus.Shape, talus.Model, talus.Results, talus.Map, talus.Trajectory, talus.Surface, talus.BadInput,
-                 talus.Problem, talus.Interrupted):
+    parts += ["## Functions\n", *entries(talus, [talus.run, talus.prepare, talus.follow, talus.what_if, talus.compare,
+                                                talus.calibrate, talus.sensitivity, talus.open_results,
+                                                talus.columns, talus.schema])]
+    for kind in (talus.Project, talus.Shape, talus.Model, talus.Results, talus.Estimate, talus.LineAnswer,
+                 talus.PolygonAnswer, talus.DitchAnswer, talus.WhatIf, talus.Comparison, talus.Calibration,
+                 talus.Sensitivity, talus.Map, talus.Trajectory, talus.Surface, talus.BadInput, talus.Problem,
+                 talus.Interrupted):
         parts.append(class_text(kind))
     for module in (impact, flight, plots):
         parts += [f"## talus.{module.__name__.split('.')[1]}\n", text_of(module),
@@ -44,9 +48,10 @@ def entry(name: str, member: Any, level: str = "###") -> str:
 
 def class_text(kind: type) -> str:
     lines = [f"## talus.{kind.__name__}\n", text_of(kind)]
-    members = [(name, member) for name, member in vars(kind).items() if not name.startswith("_")]
+    parts = [kind, *(base for base in kind.__mro__[1:] if base.__name__.startswith("_"))]
+    members = [(name, member) for part in parts for name, member in vars(part).items() if not name.startswith("_")]
     for name, member in members:
-        if isinstance(member, property):
+        if isinstance(member, (property, cached_property)):
             lines.append(f"- `{name}`: {first(member)}")
     lines.append("")
     for name, member in members:

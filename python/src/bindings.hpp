@@ -15,5 +15,8 @@ void bind_model(py::module_& module);
 void bind_follow(py::module_& module);
 void bind_surface(py::module_& module);
 void bind_kernel(py::module_& module);
+void bind_asked(py::module_& module);
+void bind_what_if(py::module_& module);
+void bind_studies(py::module_& module);
 
 }  // namespace talus::python

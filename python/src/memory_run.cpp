@@ -1,8 +1,12 @@
 #include "memory_run.hpp"
 
+#include "talus/archive/summary_json.hpp"
 #include "talus/core/memory_reserve.hpp"
+#include "talus/lines/reopened_run.hpp"
+#include "talus/lines/stored_paths.hpp"
 #include "talus/maps/map_files.hpp"
 #include "talus/run/save_results.hpp"
+#include "temporary_folder.hpp"
 
 namespace talus::python {
 
@@ -74,6 +78,22 @@ std::string MemoryRun::summary_text() {
   const project::Findings findings = project::findings_of(description_, sums_, course_);
   project::write_summary(sink, description_, findings.warnings, findings.design, sums_, course_);
   return std::move(sink.text);
+}
+
+const AskedRun& MemoryRun::asked() {
+  const std::lock_guard lock(mutex_);
+  if (asked_) return *asked_;
+  if (sums_.store() == nullptr) {
+    Problem problem = no_trajectories({});
+    problem.hint = "Run it again with output={\"trajectories\": \"all\"}";
+    throw BadInput(std::move(problem));
+  }
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / trajectories_name;
+  sums_.store()->write(file, done_);
+  // The store keeps its file open; its name is not needed any more.
+  asked_ = std::make_unique<AskedRun>(site_->model, std::make_unique<StoredPaths>(file), ways_of(sums_.summary()));
+  return *asked_;
 }
 
 void MemoryRun::save(const std::filesystem::path& folder) {

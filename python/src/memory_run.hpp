@@ -15,6 +15,7 @@
 #include "site.hpp"
 #include "talus/archive/envelope_table.hpp"
 #include "talus/campaign/campaign.hpp"
+#include "talus/lines/asked_run.hpp"
 #include "talus/run/run_results.hpp"
 
 namespace talus::python {
@@ -41,6 +42,8 @@ class MemoryRun {
   [[nodiscard]] std::optional<MapArray> map(std::string_view name);
   /// The text of summary.json; without the size of the trajectories in trajectories.bin.
   [[nodiscard]] std::string summary_text();
+  /// To be asked about lines, from the trajectories that it keeps. Throws BadInput if it keeps none.
+  [[nodiscard]] const AskedRun& asked();
   /// Writes all files of the run. Throws BadInput; Stopped at the request of the thread's StopScope.
   void save(const std::filesystem::path& folder);
 
@@ -66,6 +69,7 @@ class MemoryRun {
   Keepers::Type keepers_;
   RunCourse course_;
   std::uint64_t done_ = 0;
+  std::unique_ptr<const AskedRun> asked_;  // once it is asked
 };
 
 }  // namespace talus::python

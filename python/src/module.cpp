@@ -17,4 +17,7 @@ PYBIND11_MODULE(_talus, module) {
   bind_follow(module);
   bind_surface(module);
   bind_kernel(module);
+  bind_asked(module);
+  bind_what_if(module);
+  bind_studies(module);
 }

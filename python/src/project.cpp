@@ -7,6 +7,7 @@
 #include "problems.hpp"
 #include "tables.hpp"
 #include "talus/archive/envelope_table.hpp"
+#include "talus/project/differences.hpp"
 #include "talus/project/document.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/schema.hpp"
@@ -92,6 +93,17 @@ void bind_project(py::module_& module) {
       .def("echo_text", [](const GivenProject& self) {
         return project::echo(self.reading.project).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
       });
+  // Of two echoed projects: a list of key, here and there.
+  module.def(
+      "differences",
+      [](const std::string& here, const std::string& there) {
+        using Json = nlohmann::ordered_json;
+        Json list = Json::array();
+        for (const project::Difference& each : project::differences(Json::parse(here), Json::parse(there)))
+          list.push_back({{"key", each.key}, {"here", each.here}, {"there", each.there}});
+        return list.dump();
+      },
+      py::arg("here"), py::arg("there"));
   module.def("schema_text", [] { return project::schema().dump(); });
   module.def("starter_text", &project::starter);
   module.def("columns", &columns, py::arg("table"));

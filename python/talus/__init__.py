@@ -12,8 +12,11 @@ In ten lines::
 
 from . import distributions as _distributions, flight, impact, plots, settings as _settings
 from ._talus import __version__
+from .answers import DitchAnswer, Kit, KitAnswer, LineAnswer, PolygonAnswer
+from .comparison import Comparison, Difference, compare
 from .distributions import *
-from .maps import Map
+from .estimates import Estimate
+from .maps import Map, MapClass
 from .overrides import schema
 from .problems import BadInput, Interrupted, Problem
 from .project import Project
@@ -21,12 +24,16 @@ from .results import Column, Results, columns, open_results
 from .runs import Model, follow, prepare, run
 from .settings import *
 from .rock_shapes import Shape
+from .studies import Calibration, Sensitivity, calibrate, sensitivity
 from .surface import Surface
 from .trajectory import Trajectory
+from .variations import Figures, Variation, WhatIf, what_if
 
 __all__ = [
-    "__version__", "flight", "impact", "plots", "Map", "schema", "BadInput", "Interrupted", "Problem", "Project", "Column",
-    "Results", "columns", "open_results", "Model", "follow", "prepare", "run", "Surface", "Trajectory",
+    "__version__", "flight", "impact", "plots", "BadInput", "Calibration", "Column", "Comparison", "Difference",
+    "DitchAnswer", "Estimate", "Figures", "Interrupted", "Kit", "KitAnswer", "LineAnswer", "Map", "MapClass", "Model",
+    "PolygonAnswer", "Problem", "Project", "Results", "Sensitivity", "Surface", "Trajectory", "Variation", "WhatIf",
+    "calibrate", "columns", "compare", "follow", "open_results", "prepare", "run", "schema", "sensitivity", "what_if",
 ]
 __all__ += _distributions.__all__
 __all__ += _settings.__all__

@@ -1,7 +1,7 @@
 # The engine's part of the package. Use the package talus, which is made of it.
 
 import os
-from typing import Any, Callable
+from typing import Any, Callable, Sequence, overload
 
 import numpy as np
 
@@ -11,8 +11,9 @@ __version__: str
 
 Path = str | os.PathLike[str]
 Array = np.ndarray[Any, Any]
-# Values, north-western corner, size of a cell, unit, meaning, whether it is a count.
-MapFacts = tuple[Array, tuple[float, float], tuple[float, float], str, str, bool]
+# Values, north-western corner, size of a cell, unit, meaning, whether it is a count, limits of its classes.
+MapFacts = tuple[Array, tuple[float, float], tuple[float, float], str, str, bool, list[float]]
+Progress = Callable[[int, int], Any] | None
 
 class Project:
     @staticmethod
@@ -31,7 +32,7 @@ class Project:
 class Model:
     def __init__(self, project: Project) -> None: ...
     def run(self, settings: list[str], rocks: int | None, seed: int | None, threads: int,
-            progress: Callable[[int, int], Any] | None) -> tuple[Run, BaseException | None]: ...
+            progress: Progress) -> tuple[Run, BaseException | None]: ...
     warnings: list[Problem]
     rocks: int
     crs_wkt: str
@@ -47,6 +48,27 @@ class Run:
     done: int
     seconds: float
     crs_wkt: str
+
+class PlaceKind:
+    line: PlaceKind
+    polygon: PlaceKind
+    barrier: PlaceKind
+
+class GivenPlace:
+    def __init__(self, kind: PlaceKind, given: list[list[float]] | str) -> None: ...
+
+# An answer as JSON, the numbers of its rocks, warnings.
+Answer = tuple[str, Array, list[Problem]]
+
+class Asked:
+    @overload
+    def __init__(self, run: Run) -> None: ...
+    @overload
+    def __init__(self, folder: Path, files: Path) -> None: ...
+    def ask(self, place: GivenPlace, kit: tuple[float, float] | None, section: float | None,
+            settings: list[str]) -> Answer: ...
+    def ditch(self, toe: float, far_edge: float) -> Answer: ...
+    def sources(self) -> tuple[list[str], Array]: ...
 
 class Trajectory:
     def at(self, time: Array) -> tuple[Array, Array, Array]: ...
@@ -65,6 +87,18 @@ def table_of_folder(folder: Path, name: str) -> Array: ...
 def envelopes_of_folder(folder: Path) -> Array: ...
 def maps_of_folder(folder: Path) -> list[str]: ...
 def map_of_folder(folder: Path, name: str) -> MapFacts | None: ...
+def write_map(file: Path, name: str, unit: str, meaning: str, is_count: bool, limits: Sequence[float], values: Array,
+              corner: tuple[float, float], cell: tuple[float, float], crs_wkt: str) -> None: ...
+def map_classes(limits: Sequence[float]) -> list[tuple[float, float, list[int]]]: ...
+def crs_name(wkt: str) -> str: ...
+def differences(here: str, there: str) -> str: ...
+# JSON, the table as text, warnings, what stopped it.
+def what_if(model: Model, place: GivenPlace | None, steps: list[tuple[str, float]] | None, material: str,
+            models: bool, rocks: int | None, seconds: float | None, threads: int,
+            progress: Progress) -> tuple[str, str, list[Problem], BaseException | None]: ...
+# The folder, the names of the study's models, warnings.
+def calibrate(file: Path, folder: Path | None, threads: int, progress: Progress) -> tuple[Any, list[str], list[Problem]]: ...
+def sensitivity(file: Path, folder: Path | None, threads: int, progress: Progress) -> tuple[Any, list[Problem]]: ...
 def follow(model: Model, rock: int) -> Trajectory: ...
 def elevation(owner: Model | Run, x: Array, y: Array) -> Array: ...
 def first_contact(owner: Model | Run, position: Array, velocity: Array, radius: Array, gravity: float,

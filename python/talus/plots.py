@@ -9,11 +9,16 @@ import numpy as np
 
 from .problems import BadInput
 from .results import Results, columns
+from .spoken import meant
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["barrier_curves", "histogram", "map", "plan", "section"]
+    from .answers import LineAnswer
+    from .maps import Map
+    from .variations import WhatIf
+
+__all__ = ["barrier_curves", "changes", "histogram", "map", "plan", "profile", "section"]
 
 _path = {"color": "#1f5f8b", "linewidth": 0.6, "alpha": 0.5}
 _ground = "#6b5b4b"
@@ -39,6 +44,8 @@ def section(result: Results, *, rocks: int = 50, axes: Axes | None = None) -> Ax
 
 def plan(result: Results, *, rocks: int = 100, axes: Axes | None = None) -> Axes:
     """The terrain around the rocks from above as a hillshade, the trajectories of some, end points and barriers."""
+    if result.summary["terrain"]["kind"] == "section":
+        raise BadInput("this run is one of a section, which has no plan. plots.section shows it")
     axes = _axes(axes)
     paths = [path[:, :2] for path in _paths(result, rocks)]
     feet = [np.array(barrier["line_xyz"])[:, :2] for barrier in result.summary["barriers"]]
@@ -53,29 +60,40 @@ def plan(result: Results, *, rocks: int = 100, axes: Axes | None = None) -> Axes
 
 
 def map(result: Results, name: str, *, axes: Axes | None = None, **options: Any) -> Axes:  # noqa: A001
-    """A map of the run with its scale, over the hillshade. ``options`` go to imshow."""
-    axes = _axes(axes)
+    """A map of the run in its classes, over the hillshade. ``options`` go to imshow: ``cmap``, ``norm``, ``vmin`` or ``vmax``
+    replace the classes."""
     values = result.maps[name]
+    axes = _axes(axes)
     west, east, south, north = values.extent
     _terrain(result, axes, np.array([[west, south], [east, north]]))
-    image = axes.imshow(values, extent=values.extent, **{"cmap": "inferno_r", "alpha": 0.8, **options})
-    axes.figure.colorbar(image, ax=axes, label=f"{values.meaning} [{values.unit or '-'}]", shrink=0.8)
+    own_colours = not {"cmap", "norm", "vmin", "vmax"}.isdisjoint(options)
+    colours = {"cmap": "inferno_r"} if own_colours else _classes(values)
+    image = axes.imshow(values, extent=values.extent, **{"alpha": 0.8, "interpolation": "nearest", **colours, **options})
+    unit = f" [{values.unit}]" if values.unit else ""
+    bar = axes.figure.colorbar(image, ax=axes, label=f"{values.meaning}{unit}", shrink=0.8)
+    if not own_colours:
+        bar.set_ticks([0, *values.limits], labels=[f"{limit:,g}" for limit in (0, *values.limits)])
     return axes
 
 
 def histogram(result: Results, column: str, *, table: str = "end_points", bins: int = 40,
               axes: Axes | None = None) -> Axes:
     """The distribution of a column of a table."""
-    found = next((each for each in columns(table) if each.name == column), None)
-    if found is None or getattr(result, table)[column].dtype.kind == "U":
-        raise BadInput(f"{table} has no column of numbers {column!r}")
+    known = {each.name: each for each in columns(table)}
+    rows = getattr(result, table)
+    numeric = [name for name in rows.dtype.names if name not in known or rows.dtype[name].kind != "U"]
+    if column not in numeric:
+        why = "it has words" if column in known else f"its columns of numbers are {', '.join(numeric)}"
+        raise BadInput(f"{table} has no column of numbers {column!r} ({why}){meant(column, numeric)}")
     axes = _axes(axes)
-    values = getattr(result, table)[column]
+    values = rows[column]
     values = values[values != -1] if values.dtype.kind == "i" else values[np.isfinite(values)]
-    axes.hist(values, bins=bins, color=_path["color"])
-    meaning = re.sub("^with `[^`]*`: ", "", found.meaning)  # its condition
-    axes.set(xlabel=f"{re.split('[;:]', meaning)[0]} [{found.unit or '-'}]",
-             ylabel="rocks" if table == "end_points" else "rows")
+    meaning, unit = (known[column].meaning, known[column].unit) if column in known else (column, "")
+    unit, per = _shown(unit)
+    axes.hist(values / per, bins=bins, color=_path["color"])
+    meaning = re.split("[;:]", re.sub("^with `[^`]*`: ", "", meaning))[0].replace("`", "")  # without its condition
+    axes.set(xlabel=f"{meaning} [{unit}]" if unit else meaning, title=result.name,
+             ylabel=_counted.get(table, "rows"))
     return axes
 
 
@@ -84,17 +102,74 @@ def barrier_curves(result: Results, barrier: str, *, axes: Axes | None = None) -
     hits = result.barrier_hits
     hits = hits[hits["barrier"] == barrier]
     if len(hits) == 0:
-        names = ", ".join(each["name"] for each in result.summary["barriers"]) or "none"
-        raise BadInput(f"no rock arrives at a barrier {barrier!r} (there are {names})")
+        names = [each["name"] for each in result.summary["barriers"]]
+        if barrier in names:
+            raise BadInput(f"no rock arrives at {barrier!r}")
+        raise BadInput(f"there is no barrier {barrier!r} (there are {', '.join(names) or 'none'}){meant(barrier, names)}")
     axes = _axes(axes)
     share = 100 * np.arange(1, len(hits) + 1) / len(hits)
     axes.step(np.sort(hits["ke_total_J"]) / 1000, share, where="post", color=_path["color"], label="energy")
     axes.set(xlabel="total kinetic energy [kJ]", ylabel="share of hits below [%]", ylim=(0, 100), title=barrier)
     above = axes.twiny()
     above.step(np.sort(hits["impact_height_m"]), share, where="post", color=_barrier["color"])
+    above.set_xlim(0, max(1.05 * hits["impact_height_m"].max(), 0.1))  # heights of rocks that roll are rounding
     above.set_xlabel("impact height [m]", color=_barrier["color"])
     above.tick_params(axis="x", colors=_barrier["color"])
     axes.axhline(95, color="grey", linewidth=0.5, linestyle=":")
+    axes.xaxis.label.set_color(_path["color"])
+    return axes
+
+
+def profile(answer: LineAnswer, figure: str = "energy", *, axes: Axes | None = None) -> Axes:
+    """``"energy"``, ``"height"`` or ``"velocity"`` along a line, stretch by stretch, with its intervals."""
+    titles = {"energy": (f"{answer.energy_kind} energy", "kJ", "kJ"), "height": ("height of the block's top", "m", "m"),
+              "velocity": ("velocity", "m_s", "m/s")}
+    if figure not in titles:
+        raise BadInput(f"figure={figure!r}: expected {', '.join(titles)}{meant(figure, titles)}")
+    title, ending, unit = titles[figure]
+    rows = answer.profile
+    if len(rows) == 0:
+        raise BadInput("the line has no stretches: in a section it is a place")
+    axes = _axes(axes)
+    middle, half = (rows["from_m"] + rows["to_m"]) / 2, (rows["to_m"] - rows["from_m"]) / 2
+    value, low, high = (rows[f"{figure}{end}_{ending}"] for end in ("", "_low", "_high"))
+    axes.bar(middle, np.nan_to_num(value), width=2 * half, color=_path["color"], alpha=0.35, edgecolor="white")
+    spread = [np.nan_to_num(value - low), np.nan_to_num(high - value)]
+    known = np.isfinite(value)
+    axes.errorbar(middle[known], value[known], yerr=[each[known] for each in spread], fmt="_", color=_path["color"],
+                  capsize=3)
+    axes.set(xlabel="along the line [m]", ylabel=f"{title}, {answer.percentile:g} % [{unit}]", ylim=(0, None),
+             title=f"{answer.crossing} of {answer.rocks} rocks cross")
+    return axes
+
+
+def changes(what_if: WhatIf, figure: str = "energy_kJ", *, axes: Axes | None = None) -> Axes:
+    """How a figure changes with each factor, the one that moves it most on top: ``"share"``, ``"energy_kJ"``,
+    ``"height_m"`` or ``"velocity_m_s"``."""
+    titles = {"share": ("share of the rocks", "%", 0.01), "energy_kJ": (f"{what_if.energy_kind} energy", "kJ", 1),
+              "height_m": ("height", "m", 1), "velocity_m_s": ("velocity", "m/s", 1)}
+    if figure not in titles:
+        raise BadInput(f"figure={figure!r}: expected {', '.join(titles)}{meant(figure, titles)}")
+    title, unit, per = titles[figure]
+    size: dict[str, float] = {}
+    steps = [each for each in what_if.variations if each.step is not None]
+    for each in steps:
+        change = abs(getattr(each.change, figure).value)
+        size[each.factor] = max(size.get(each.factor, 0), change if np.isfinite(change) else 0)
+    order = sorted(size, key=size.__getitem__)
+    axes = _axes(axes)
+    for each in steps:
+        value, low, high = (number / per for number in getattr(each.change, figure))
+        place = order.index(each.factor) + (0.2 if each.step > 0 else -0.2)
+        colour = _barrier["color"] if each.step > 0 else _path["color"]
+        axes.barh(place, np.nan_to_num(value), height=0.35, color=colour, alpha=0.5)
+        axes.plot([low, high], [place, place], color=colour, linewidth=1)
+        axes.annotate(f"{100 * each.step:+g} %", (0, place), xytext=(3 if value < 0 else -3, 0),
+                      textcoords="offset points", ha="left" if value < 0 else "right", va="center", fontsize=7)
+    axes.axvline(0, color="black", linewidth=0.8)
+    axes.set_yticks(range(len(order)), [name.replace("_", " ") for name in order])
+    axes.set(xlabel=f"change of the {title} [{unit}]",
+             title=f"own values: {getattr(what_if.base, figure).value / per:.3g} {unit}")
     return axes
 
 
@@ -104,6 +179,22 @@ def _axes(axes: Axes | None) -> Axes:
     from matplotlib import pyplot
 
     return pyplot.subplots(layout="constrained")[1]
+
+
+_counted = {"end_points": "rocks", "barrier_hits": "hits", "impacts": "impacts", "events": "events"}
+
+
+def _shown(unit: str) -> tuple[str, float]:
+    """The unit in which engineers read it, and what it is of the given one."""
+    return ("kJ", 1000) if unit == "J" else (unit, 1)
+
+
+def _classes(values: Map) -> dict[str, Any]:
+    """Options of imshow for the classes of a map."""
+    from matplotlib.colors import BoundaryNorm, ListedColormap
+
+    colours = [each.colour for each in values.classes]
+    return {"cmap": ListedColormap(colours), "norm": BoundaryNorm([0, *values.limits], len(colours), extend="max")}
 
 
 def _paths(result: Results, rocks: int) -> list[np.ndarray]:

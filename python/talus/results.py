@@ -11,9 +11,14 @@ from typing import TYPE_CHECKING, Any, Iterator, Mapping, NamedTuple
 import numpy as np
 
 from . import _talus
+from .answers import DitchAnswer, LineAnswer, PolygonAnswer
 from .maps import Map
+from .overrides import overrides
+from .places import place_of
 from .problems import BadInput, path_text
 from .project import Project, with_infinity
+from .shapes import number
+from .spoken import meant
 from .surface import Surface
 
 if TYPE_CHECKING:
@@ -40,7 +45,7 @@ def columns(table: str) -> list[Column]:
     """
     found = _talus.columns(table) if isinstance(table, str) else None
     if found is None:
-        raise BadInput(f"there is no table {table!r} (expected {', '.join(_tables)})")
+        raise BadInput(f"there is no table {table!r} (expected {', '.join(_tables)}){meant(table, _tables)}")
     return [Column(*column) for column in found]
 
 
@@ -55,6 +60,7 @@ class Results:
         self._source = source
         self._summary: dict[str, Any] | None = None
         self._made: dict[str, np.ndarray] = {}
+        self._to_ask: Any = None
 
     @property
     def end_points(self) -> np.ndarray:
@@ -102,6 +108,48 @@ class Results:
         The unit at the end of a name may be left out; ``kinetic_energy`` is the total.
         """
         return _Maps(self._source)
+
+    def line(self, line: Any = None, *, barrier: str | None = None, height: float | None = None,
+             energy: float | None = None, stretch: float | None = None,
+             design: Mapping[str, Any] | None = None) -> LineAnswer:
+        """Which rocks cross a line on plan, and how fast, high and strong they are there.
+
+        ``line``: its corners, (n, 2) [m]; in a section a place x; a LineString of shapely, in the coordinate system of the
+        terrain; or the path of a GIS file or table with one line. ``barrier``: instead, the name of a barrier or
+        collector of the run.
+
+        ``height`` [m] and ``energy`` [kJ]: of a kit on the line: what does it stop? ``stretch`` [m]: length of the parts
+        of the profile; by default a twentieth of the line, about. ``design``: other values of the project's table
+        ``design``: ``{"standard": "none"}``.
+
+        The run must have kept its trajectories (``output={"trajectories": "all"}``; by default it keeps up to 10,000).
+        """
+        return LineAnswer(*self._ask(place_of(line, None, barrier), height, energy, stretch, design))
+
+    def polygon(self, polygon: Any, *, design: Mapping[str, Any] | None = None) -> PolygonAnswer:
+        """Which rocks enter a polygon on plan, and which stop in it: its corners, (n, 2) [m], a Polygon of shapely, or
+        the path of a GIS file with one polygon. As :meth:`line`."""
+        return PolygonAnswer(*self._ask(place_of(None, polygon, None), None, None, None, design))
+
+    def ditch(self, toe: float, far_edge: float) -> DitchAnswer:
+        """In a section: what rocks do between the toe and the far edge of a ditch or bench, places x [m]."""
+        asked = self._asked()
+        return DitchAnswer(asked, asked.ditch(number("toe", toe, -1e9, 1e9), number("far_edge", far_edge, -1e9, 1e9)))
+
+    def _ask(self, place: Any, height: float | None, energy: float | None, stretch: float | None,
+             design: Mapping[str, Any] | None) -> tuple[Any, Any]:
+        if (height is None) != (energy is None):
+            raise BadInput(f"{'height' if height is None else 'energy'} is missing (a kit has a height and an energy)")
+        kit = None if height is None else (number("height", height, 1e-3, 1e3), number("energy", energy, 1e-3, 1e9))
+        length = None if stretch is None else number("stretch", stretch, 1e-3, 1e9)
+        asked = self._asked()
+        return asked, asked.ask(place, kit, length, overrides({"design": design}) if design else [])
+
+    def _asked(self) -> Any:
+        if self._to_ask is None:
+            in_folder = isinstance(self._source, _InFolder)
+            self._to_ask = self._source.asked() if in_folder else _talus.Asked(self._source)
+        return self._to_ask
 
     @property
     def summary(self) -> dict[str, Any]:
@@ -176,7 +224,8 @@ class _Maps(Mapping[str, Map]):
         full = self._full_name(name)
         found = self._source.map(full) if full else None
         if found is None:
-            raise KeyError(f"there is no map {name!r}; there are {', '.join(self._names) or 'none'}")
+            raise KeyError(f"there is no map {name!r} (there are {', '.join(self._names) or 'none'})"
+                           f"{meant(name, self._names)}")
         return Map._of(full, found, self._source.crs_wkt)
 
     def _full_name(self, name: object) -> str | None:
@@ -204,8 +253,8 @@ class _Maps(Mapping[str, Map]):
 class _InFolder:
     """The results in a folder, in place of a run in memory. Files are read when they are asked for."""
 
-    def __init__(self, folder: str) -> None:
-        self.folder = folder
+    def __init__(self, folder: str, files: str = "") -> None:
+        self.folder, self.files = folder, files
         try:
             self.text = Path(folder, "summary.json").read_text(encoding="utf-8")
         except (OSError, ValueError) as error:
@@ -244,13 +293,20 @@ class _InFolder:
     def done(self) -> int:
         return json.loads(self.text)["rocks"]["done"]
 
+    def asked(self) -> Any:
+        return _talus.Asked(self.folder, self.files)
+
     def save(self, folder: str) -> None:
         raise BadInput(f"{self.folder}: these results are in a folder already. Copy it")
 
 
-def open_results(folder: str | os.PathLike[str]) -> Results:
-    """Reads the folder of a run, of this package or of the program. Raises :class:`talus.BadInput`."""
-    source = _InFolder(path_text(folder))
+def open_results(folder: str | os.PathLike[str], *, files: str | os.PathLike[str] | None = None) -> Results:
+    """Reads the folder of a run, of this package or of the program. Raises :class:`talus.BadInput`.
+
+    ``files``: the folder of the project's files, for questions about lines, for which the terrain is built again; by
+    default the one that ``folder`` is in.
+    """
+    source = _InFolder(path_text(folder), "" if files is None else path_text(files))
     result = Results(source)
     rocks = result.summary.get("rocks")
     parts = {"name": str, "rocks": dict, "end_reasons": dict, "statistics": dict, "barriers": list, "terrain": dict,

@@ -42,6 +42,70 @@ def test_wrong_arguments_of_a_run(slope, arguments):
     problems_of(lambda: model.run(**arguments))
 
 
+def said_by(call):
+    return "\n".join(problem.text for problem in problems_of(call))
+
+
+def test_keyword_arguments_are_named_as_they_were_written(slope):
+    model = talus.prepare(slope)
+    assert said_by(lambda: model.run(material={"Scree": {"normal_restitution": 9}})).startswith(
+        'material={"Scree": {"normal_restitution": 9}}: material "Scree": normal_restitution is 9 (')
+    assert said_by(lambda: model.run(material={"Scree": {"normal_restitution": talus.Normal(9, 0.1)}})).startswith(
+        'material={"Scree": {"normal_restitution": {"mean": 9, "distribution": "normal", "std_dev": 0.1}}}: ')
+    assert said_by(lambda: slope.changed(analysis={"gravity": 9})) == (
+        'analysis={"gravity": 9}: analysis: unknown key "gravity". Did you mean "gravity_m_s2"?')
+    assert said_by(lambda: model.run(output={"trajectories": "some"})).startswith(
+        'output={"trajectories": "some"}: output: trajectories is "some" (')
+    assert said_by(lambda: model.run(materials={"Scree": {"roughness_deg": 1}})) == (
+        'materials={"Scree": {"roughness_deg": 1}}: unknown table materials. Did you mean material=[...]?')
+    assert said_by(lambda: talus.run("none.toml")).endswith("talus.Project.starter() writes a project to start from")
+    assert said_by(lambda: model.run(rocks=0)) == "rocks=0: expected a whole number, at least 1"
+    assert said_by(lambda: talus.run(slope, rocks=10**13)).startswith("rocks=10000000000000: this is not a number of rocks")
+    assert said_by(lambda: talus.follow(slope, 200)).startswith("rock=200: there is no such rock (")
+    assert said_by(lambda: talus.run(slope, rocks=1).save("/proc/none")).endswith("Choose another folder")
+
+
+def test_a_project_of_tables_has_no_file():
+    said = said_by(lambda: talus.Project(
+        terrain=talus.Terrain(section=[[0, 1], [5, 0]]), seeder=[talus.Seeder(position=[0.5, "surface"], mass_kg=-1)],
+        material=[talus.Material(name="Rock", normal_restitution=talus.Normal(1.3, 0.1))], nonsense=1))
+    assert "project.toml" not in said and "\nmaterial \"Rock\": normal_restitution mean is 1.3 (" in said
+    assert said_by(lambda: talus.Project()).splitlines()[:2] == [
+        "terrain is missing (a project needs it)", "material=[...] is missing (a project needs at least one)"]
+    lacking = talus.Project(terrain=talus.Terrain(raster="none.tif"), material=[talus.Material(name="Rock")],
+                            seeder=[talus.Seeder(position=[1, 1, "surface"], rocks=1, mass_kg=1)])
+    assert said_by(lambda: talus.run(lacking)).startswith("terrain: raster none.tif: cannot be read (")
+
+
+def test_names_that_are_nearly_right(slope):
+    result = talus.run(slope)
+    assert said_by(lambda: talus.columns("endpoints")).endswith('Did you mean "end_points"?')
+    assert said_by(lambda: talus.plots.histogram(result, "max_ke_kJ")).endswith('Did you mean "max_ke_J"?')
+    assert "it has words" in said_by(lambda: talus.plots.histogram(result, "seeder"))
+    assert said_by(lambda: talus.plots.barrier_curves(result, "Fense")).endswith('Did you mean "Fence"?')
+    assert said_by(lambda: result.line(barrier="Fense")).startswith("barrier: ")
+    assert "plots.section" in said_by(lambda: talus.plots.plan(result))
+
+
+def test_wrong_questions_to_a_run(slope):
+    result = talus.run(slope)
+    assert said_by(lambda: result.line()) == "nothing is asked for (expected one of line, polygon and barrier)"
+    assert said_by(lambda: result.line(20, barrier="Fence")).startswith("line, barrier are given (")
+    assert said_by(lambda: result.line(20, height=3)) == "energy is missing (a kit has a height and an energy)"
+    assert said_by(lambda: result.line(20, height=-3, energy=9)).startswith("height=-3: expected")
+    assert said_by(lambda: result.line(2000)).startswith("line: ")
+    assert said_by(lambda: result.line([1, 2, 3])).startswith("line has the shape (3,) (expected (n, 2)")
+    assert said_by(lambda: result.line(20, design={"standart": "none"})).startswith('design={"standart": "none"}: ')
+    problems_of(lambda: result.polygon([[0, 0], [10, 0], [10, 10]]))
+    none = talus.run(slope, output={"trajectories": "none", "trajectories_MB": "none"})
+    assert said_by(lambda: none.line(20)).startswith("the run has no stored trajectories (")
+    assert "steps" in said_by(lambda: talus.what_if(slope, 20, steps={"normal_restituion": 0.1}))
+    assert said_by(lambda: talus.what_if(slope, 20, steps=["mass"])).startswith("steps=['mass']: expected")
+    assert said_by(lambda: talus.what_if(slope, 20, steps={"mass": "a lot"})).startswith('steps["mass"]=')
+    assert said_by(lambda: talus.what_if(slope, 20, within=-1)).startswith("within=-1: expected")
+    assert "Scree" in said_by(lambda: talus.what_if(slope, 20, material="Scre"))
+
+
 @pytest.mark.skipif(UNDER_ASAN, reason="the sanitizer ends the process")
 def test_more_rocks_than_memory_holds(slope):
     with pytest.raises(MemoryError, match="end points of 1000000000000 rocks .keep fewer"):

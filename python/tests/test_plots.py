@@ -1,6 +1,7 @@
 """Figures, notebooks' pictures, frames and maps."""
 
 import pickle
+import re
 
 import numpy as np
 import pytest
@@ -26,7 +27,9 @@ def test_each_figure_returns_its_axes(slope, crater):
     assert len(axes.lines) == 1 + 10 + 1  # slope, rocks, barrier
     flight = axes.lines[1].get_xydata()
     assert (np.diff(flight[:, 0]) > -1e-9).all() and np.isfinite(flight).all()
-    assert talus.plots.histogram(result, "max_ke_J").get_xlabel().endswith("[J]")
+    energies = talus.plots.histogram(result, "max_ke_J")
+    assert energies.get_xlabel().endswith("[kJ]") and energies.dataLim.x1 == pytest.approx(
+        result.end_points["max_ke_J"].max() / 1000)
     assert talus.plots.barrier_curves(result, "Fence").get_title() == "Fence"
     plan = talus.plots.plan(crater, rocks=5)
     assert len(plan.images) == 1
@@ -37,6 +40,36 @@ def test_each_figure_returns_its_axes(slope, crater):
     assert talus.plots.map(crater, "velocity_max", axes=own) is own
     with pytest.raises(talus.BadInput, match="not one of a section"):
         talus.plots.section(crater)
+    pyplot.close("all")
+
+
+def test_maps_are_drawn_in_their_classes(crater):
+    from matplotlib import pyplot
+    from matplotlib.colors import to_hex
+
+    velocity = crater.maps["velocity_max"]
+    assert [each.low for each in velocity.classes] == [0, 5, 10, 15, 20, 30] and velocity.classes[-1].high == np.inf
+    image = talus.plots.map(crater, "velocity_max").images[-1]
+    for each in velocity.classes:
+        assert to_hex(image.cmap(image.norm(each.low + 0.1))) == each.colour
+        assert to_hex(image.cmap(image.norm(each.low))) == each.colour
+    plain = talus.plots.map(crater, "velocity_max", cmap="viridis", vmax=40).images[-1]
+    assert plain.cmap.name == "viridis" and plain.norm.vmax == 40
+    pyplot.close("all")
+
+
+def test_answers_are_drawn(slope, crater):
+    from matplotlib import pyplot
+
+    answer = crater.line([[300, 70], [400, 60]])
+    assert talus.plots.profile(answer, "height").get_ylabel().endswith("[m]")
+    changed = talus.what_if(slope, 35, steps={"mass": 0.5, "normal_restitution": 0.1}, rocks=100)
+    axes = talus.plots.changes(changed)
+    assert [label.get_text() for label in axes.get_yticklabels()][-1] in ("mass", "normal restitution")
+    with pytest.raises(talus.BadInput, match="^figure='hight': expected energy, height, velocity. Did you mean"):
+        talus.plots.profile(answer, "hight")
+    with pytest.raises(talus.BadInput, match="^figure='energy': expected share, energy_kJ"):
+        talus.plots.changes(changed, "energy")
     pyplot.close("all")
 
 
@@ -76,7 +109,47 @@ def test_maps_have_their_place(crater):
     again = pickle.loads(pickle.dumps(energy))
     assert (again == energy).all() and again.mask.sum() == energy.mask.sum()
     assert (again.transform, again.unit, again.crs_wkt) == (energy.transform, energy.unit, energy.crs_wkt)
+    assert energy.crs is None and energy.classes == again.classes
+    with pytest.raises(KeyError, match='Did you mean .*velocity_max_m_s'):
+        crater.maps["velocity_maxx_m_s"]
     xarray = pytest.importorskip("xarray")
     array = energy.to_xarray()
     assert isinstance(array, xarray.DataArray) and array.attrs["units"] == "kJ" and float(array.y[0]) == north - 2.5
     assert np.isnan(array.values).sum() == energy.mask.sum()
+
+
+def test_maps_are_written_as_geotiffs(tmp_path):
+    """The files have the contents and the styles of those that a run writes."""
+    gdal = pytest.importorskip("osgeo.gdal")
+    result = talus.run(SOURCE / "examples/first-gis-run/first-gis-run.toml", rocks=60)
+    folder = result.save(tmp_path / "out")
+    assert result.maps["passages"].crs == "EPSG:25832"
+    for name in ("passages", "energy_total_p95_kJ"):
+        result.maps[name].to_geotiff(tmp_path / f"{name}.tif")
+        ours, theirs = gdal.Open(str(tmp_path / f"{name}.tif")), gdal.Open(str(folder / f"maps/{name}.tif"))
+        ours_band, theirs_band = ours.GetRasterBand(1), theirs.GetRasterBand(1)
+        assert (ours.ReadAsArray() == theirs.ReadAsArray()).all()
+        assert ours.GetGeoTransform() == theirs.GetGeoTransform() and ours.GetProjection() == theirs.GetProjection()
+        assert ours_band.GetNoDataValue() == theirs_band.GetNoDataValue() and ours_band.DataType == theirs_band.DataType
+        assert (ours_band.GetDescription(), ours_band.GetUnitType()) == (theirs_band.GetDescription(), theirs_band.GetUnitType())
+        styles = [file.with_suffix(".qml").read_text() for file in (tmp_path / f"{name}.tif", folder / f"maps/{name}.tif")]
+        # The range is that of the numbers before they were rounded for the file.
+        assert len({re.sub('(least|greatest)Value="[^"]*"', "", style) for style in styles}) == 1
+    (2 * result.maps["velocity_max"]).to_geotiff(tmp_path / "twice.tif")
+    opened = talus.open_results(folder).maps["passages"]
+    assert opened.crs == "EPSG:25832" and opened.classes == result.maps["passages"].classes
+    for wrong, match in ((lambda: opened[1:].to_geotiff(tmp_path / "a.tif"), "has no transform"),
+                         (lambda: opened.to_geotiff(tmp_path / "a.png"), "ends with .tif"),
+                         (lambda: opened.to_geotiff(tmp_path / "none/a.tif"), "cannot write this map")):
+        with pytest.raises(talus.BadInput, match=match):
+            wrong()
+
+
+def test_a_geotiff_opens_in_rasterio(tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    energy = talus.run(SOURCE / "examples/first-gis-run/first-gis-run.toml", rocks=60).maps["energy_total_p95"]
+    energy.to_geotiff(tmp_path / "energy.tif")
+    with rasterio.open(tmp_path / "energy.tif") as file:
+        assert file.transform == rasterio.Affine(*energy.transform) and file.crs == rasterio.CRS.from_string(energy.crs)
+        read = file.read(1, masked=True)
+    assert (read.mask == energy.mask).all() and (read == energy).all()
