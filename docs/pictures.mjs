@@ -1,16 +1,16 @@
-// Renews the pictures of the documentation and of the start page: node docs/pictures.mjs [PROGRAM], after a build and the
-// tests of the page, which install Playwright. It needs pdftoppm, of Debian's poppler-utils. PROGRAM is build/talus if it
-// is not given.
+// Renews the pictures of the documentation and of the start page: node docs/pictures.mjs [PICTURE ...], after a build and
+// the tests of the page, which install Playwright. It needs pdftoppm, of Debian's poppler-utils. The program is
+// build/talus, or what TALUS_PROGRAM names; without pictures all are renewed.
 
 import { execFileSync, spawn } from 'node:child_process';
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { addressOf } from '../bench/served.mjs';
 
 const sources = resolve(import.meta.dirname, '..');
-const program = resolve(process.argv[2] ?? join(sources, 'build/talus'));
+const program = resolve(process.env.TALUS_PROGRAM ?? join(sources, 'build/talus'));
 const { chromium } = createRequire(join(sources, 'test/web/package.json'))('@playwright/test');
 
 /// The beginning of the report of Tutorial 1, down to its first figure.
@@ -24,15 +24,46 @@ async function pictureOfReport(browser, folder) {
   await page.screenshot({ path: join(sources, 'docs/tutorial-1.png'), clip: { x: 0, y: 0, width: 1000, height } });
 }
 
+/// A part of a page that a command has written, with a margin.
+async function pictureOfPage(browser, file, { part, style = '', width = 1140, name }) {
+  const page = await browser.newPage({ viewport: { width, height: 2400 } });
+  await page.goto(`file://${file}`);
+  if (style) await page.addStyleTag({ content: style });
+  const boxes = await Promise.all((await page.locator(part).all()).map((each) => each.boundingBox()));
+  const [left, top] = [Math.min(...boxes.map(({ x }) => x)), Math.min(...boxes.map(({ y }) => y))];
+  const right = Math.max(...boxes.map((box) => box.x + box.width));
+  const bottom = Math.max(...boxes.map((box) => box.y + box.height));
+  const clip = { x: left - 8, y: top - 8, width: right - left + 16, height: bottom - top + 16 };
+  await page.screenshot({ path: join(sources, 'docs', name), clip });
+  await page.close();
+}
+
+/// Without the buttons that save a figure.
+const plain = '.save { display: none }';
+
 /// The same rocks under each rock model.
 async function pictureOfModels(browser, folder) {
-  const project = join(sources, 'examples/models/road.toml');
-  execFileSync(program, ['compare', project, '--models', '--quiet', '-o', join(folder, 'models')]);
-  const page = await browser.newPage({ viewport: { width: 1240, height: 1900 } });
-  await page.goto(`file://${folder}/models/compare.html`);
-  await page.addStyleTag({ content: '.columns { grid-template-columns: repeat(3, minmax(0, 1fr)) !important } .save, #paths h2 { display: none }' });
-  const clip = await page.locator('#paths').boundingBox();
-  await page.screenshot({ path: join(sources, 'docs/which-model.png'), clip });
+  execFileSync(program, ['compare', join(sources, 'examples/models/road.toml'), '--models', '--quiet', '-o', join(folder, 'models')]);
+  const style = `${plain} .columns { grid-template-columns: repeat(3, minmax(0, 1fr)) !important } #paths h2 { display: none }`;
+  await pictureOfPage(browser, join(folder, 'models/compare.html'), { part: '#paths', style, name: 'which-model.png' });
+}
+
+/// Where along the rim of a crater a fence catches the rocks that would reach the path.
+async function pictureOfDesign(browser, folder) {
+  execFileSync(program, ['run', join(sources, 'examples/maungawhau/barrier-design.toml'), '--quiet', '-o', join(folder, 'design')]);
+  await pictureOfPage(browser, join(folder, 'design/report.html'), { part: '#design figure >> nth=0', style: plain, name: 'gallery-design.png' });
+}
+
+/// The map of the 95th percentile of bounce heights.
+async function pictureOfMap(browser, folder) {
+  execFileSync(program, ['run', join(sources, 'examples/maungawhau/maungawhau.toml'), '--quiet', '-o', join(folder, 'map')]);
+  await pictureOfPage(browser, join(folder, 'map/report.html'), { part: '#maps figure >> nth=0', style: plain, name: 'gallery-map.png' });
+}
+
+/// What thirty blocks on a slope say of the ground.
+async function pictureOfCalibration(browser, folder) {
+  execFileSync(program, ['calibrate', join(sources, 'examples/calibration/study.toml'), '--quiet', '-o', join(folder, 'ground')], { stdio: 'ignore' });
+  await pictureOfPage(browser, join(folder, 'ground/report.html'), { part: 'figure >> nth=0', style: plain, name: 'gallery-calibration.png' });
 }
 
 /// Starts the workbench, and passes its page to a task.
@@ -62,6 +93,21 @@ const pictureOfWorkbench = (browser, folder) =>
     await page.waitForTimeout(3000); // until the view is drawn
     await page.screenshot({ path: join(sources, 'docs/workbench.png') });
   });
+
+/// Blocks of four shapes that tumble down a slope.
+const pictureOfBlocks = (browser, folder) => {
+  const project = join(folder, 'blocks');
+  mkdirSync(project, { recursive: true });
+  cpSync(join(sources, 'examples/blocks/blocks.toml'), join(project, 'blocks.toml'));
+  return inWorkbench(browser, project, async (page) => {
+    await page.getByRole('button', { name: /blocks/i }).first().click();
+    await page.getByRole('button', { name: /^Compute/ }).first().click();
+    await page.getByRole('group', { name: 'Playback' }).waitFor({ timeout: 120_000 });
+    await page.getByRole('slider', { name: 'Time', exact: true }).fill('6');
+    await page.waitForTimeout(5000); // until the view is drawn
+    await page.screenshot({ path: join(sources, 'docs/gallery-blocks.png') });
+  });
+};
 
 /// The pictures of the examples on the start page: those that the workbench saves when a project is closed.
 const picturesOfExamples = (browser, folder) =>
@@ -117,6 +163,21 @@ function pictureOfSheet(folder) {
   execFileSync('pdftoppm', ['-png', '-r', '75', '-singlefile', pdf, join(sources, 'docs/sheet')]);
 }
 
+const pictures = {
+  report: pictureOfReport,
+  models: pictureOfModels,
+  design: pictureOfDesign,
+  map: pictureOfMap,
+  calibration: pictureOfCalibration,
+  workbench: pictureOfWorkbench,
+  blocks: pictureOfBlocks,
+  examples: picturesOfExamples,
+  validation: pictureOfValidation,
+  sheet: (_, folder) => pictureOfSheet(folder),
+};
+const chosen = process.argv.length > 2 ? process.argv.slice(2) : Object.keys(pictures);
+for (const name of chosen) if (!pictures[name]) throw new Error(`there is no picture ${name}; there are ${Object.keys(pictures).join(', ')}`);
+
 const folder = mkdtempSync(join(tmpdir(), 'talus-pictures-'));
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
@@ -128,12 +189,7 @@ const browser = await chromium.launch({
   ],
 });
 try {
-  await pictureOfReport(browser, folder);
-  await pictureOfModels(browser, folder);
-  await pictureOfWorkbench(browser, folder);
-  await picturesOfExamples(browser, folder);
-  await pictureOfValidation(browser, folder);
-  pictureOfSheet(folder);
+  for (const name of chosen) await pictures[name](browser, folder);
 } finally {
   await browser.close();
   rmSync(folder, { recursive: true, force: true });
