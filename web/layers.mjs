@@ -16,7 +16,7 @@ export const layers = [
   { name: 'drawing', folders: ['view', 'tools', 'drag', 'layers', 'maps', 'paths', 'animation'] },
   {
     name: 'panels',
-    folders: ['help', 'runList', 'results', 'sectionLine', 'askLine', 'calibration', 'slopeTools', 'dropped', 'forms', 'start'],
+    folders: ['help', 'runList', 'results', 'sectionLine', 'askLine', 'answers', 'calibration', 'slopeTools', 'dropped', 'forms', 'start'],
   },
   { name: 'views', folders: ['scene', 'section'] },
   { name: 'page', folders: ['page'] },

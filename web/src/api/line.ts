@@ -31,6 +31,8 @@ export interface LineFigures {
   needs: Needs | null;
   needs_at_upper_end: Needs | null;
   maxima: Record<LineQuantity, number> | null;
+  /// The diameter of the largest rock that crosses; null: none does.
+  largest_block_m: number | null;
 }
 
 /// What each kit would stop, by height and by energy; shares are null if no rock crosses.
@@ -81,6 +83,8 @@ export interface LineAnswer extends AnyAnswer {
   from_m: number;
   foot: Point3[];
   standard: string | null;
+  /// Of the check; without a standard they change nothing.
+  factors: { of_total_energy: boolean };
   design_percentile: number;
   confidence: number;
   whole: LineFigures;
@@ -118,6 +122,7 @@ export interface AskedShape {
 export interface Question extends AskedShape {
   height_m?: number;
   energy_kJ?: number;
+  sources?: boolean;
   drag?: { id: string; number: number };
 }
 

@@ -32,10 +32,18 @@ export interface Summary {
   end_reasons: Record<string, NumberText>;
   events: NumberText;
   statistics: Record<string, FigureTexts>;
-  barriers?: { name: string; statistics: Record<string, FigureTexts> }[];
+  barriers?: { name: string; kind: 'barrier' | 'collector'; statistics?: Record<string, FigureTexts> }[];
   design?: Design;
   sources: { name: string }[];
+  /// By seeder.
+  releases?: { rocks: NumberText }[];
   project: { seeder: { name?: string }[]; [table: string]: unknown };
+  /// Files with the checksums that they had when the run began, and where values of the library are from.
+  inputs?: {
+    files: { name: string; bytes: NumberText; sha256: string }[];
+    material_sources?: { material: string; like: string; keys: string[]; source: string }[];
+  };
+  talus?: { version: string };
   warnings: string[];
   notes?: string[];
   timings: { seconds: NumberText; rocks_per_second: NumberText; threads: NumberText };

@@ -4,10 +4,13 @@ import { getJson, sendJson } from './client';
 import type { AskedShape, Interval } from './line';
 import type { Problem } from './types';
 
+/// The factor of the variations with another rock model.
+export const modelFactor = 'model';
+
 /// A figure at the line; energies are those that the check takes.
 export type WhatIfFigure = 'share' | 'energy_J' | 'height_m' | 'velocity_m_s';
 /// Null: no rock crosses.
-type Figures = { rocks: number } & Record<WhatIfFigure, Interval | null>;
+export type Figures = { rocks: number } & Record<WhatIfFigure | 'ke_translational_J' | 'ke_total_J', Interval | null>;
 
 /// A value before and after, as in the project's file; null: the key is not given.
 export interface Change {
@@ -17,9 +20,13 @@ export interface Change {
   after: unknown;
 }
 export interface Variation extends Figures {
+  /// "model": the same rocks with another rock model.
   factor: string;
   title: string;
-  step_percent: number;
+  /// Null: another model.
+  step_percent: number | null;
+  /// Of another model.
+  model?: string;
   /// The values before and after, for people.
   text: string;
   /// Which values ended at the limit of their range.
@@ -34,6 +41,8 @@ export interface WhatIfAnswer {
   percentile: number;
   confidence: number;
   energy: 'total' | 'translational';
+  /// The project's own.
+  model: string;
   base: Figures;
   variations: Variation[];
 }
@@ -51,6 +60,8 @@ export interface WhatIfChoices {
 export interface WhatIfOptions {
   material?: string;
   steps?: Record<string, unknown>;
+  /// The other rock models, too.
+  models?: boolean;
 }
 export interface WhatIfState {
   run: string;

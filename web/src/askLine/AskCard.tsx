@@ -13,7 +13,6 @@ import { BuildHere } from './BuildHere';
 import { EnoughRocks } from './EnoughRocks';
 import { KitSlider } from './KitSlider';
 import { ProfileOfLine } from './ProfileOfLine';
-import { printAnswer } from './printAnswer';
 import { missingPoints } from './shape';
 import { Sources } from './Sources';
 import { WhatIf } from './WhatIf';
@@ -107,11 +106,6 @@ export function AskCard() {
     >
       <header>
         <h2>Ask a line</h2>
-        {answer.value && (
-          <button class="button" title="Prints the view, the place and these answers" onClick={() => void printAnswer(answer.value!)}>
-            A4 sheet
-          </button>
-        )}
         <button class="button plain icon" aria-label="Close" title="Close (Escape)" onClick={() => openCard(false)}>
           ×
         </button>

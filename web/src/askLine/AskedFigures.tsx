@@ -1,10 +1,11 @@
 // The figures of an answer, as the card and its sheet show them.
 
 import type { AskedAnswer, LineAnswer, LineQuantity, PolygonAnswer } from '../api/line';
+import type { WhatIfAnswer } from '../api/whatIf';
 import { displayOf } from '../state/displayUnits';
 import { counted, numberText } from '../units/numbers';
 import { intervalText, percentText } from './kit';
-import { rangeOf } from './tornadoOf';
+import { inputsOf, rangeOver, type SpreadFigure } from './spread';
 import { whatIf } from './whatIf';
 
 /// The answer of what if to the same question; null: it was not asked, or is under way.
@@ -59,12 +60,15 @@ const quantities = (height: string) =>
     ['velocity', 'velocity_m_s', 'm/s'],
   ] as const;
 
-/// Over the inputs of what if; null: unknown, or what if has no such figure.
+/// Over the inputs of what if; null: unknown, or no input was varied.
+function endsOver(answer: WhatIfAnswer, key: SpreadFigure): [number, number] | null {
+  const found = rangeOver(answer.base, inputsOf(answer), key);
+  return found && [found.low, found.high];
+}
 function rangeFor(key: LineQuantity, percentile: string): [number, number] | null {
   const answer = whatIfAnswer();
   if (!answer || String(answer.percentile) !== percentile) return null;
-  if (key === 'height_m' || key === 'velocity_m_s') return rangeOf(answer, key);
-  return key === `ke_${answer.energy}_J` ? rangeOf(answer, 'energy_J') : null;
+  return endsOver(answer, key);
 }
 
 /// The percentile of the design with its confidence interval: 95 % of the rocks have less.
@@ -136,7 +140,7 @@ export function figuresOfArea(of: PolygonAnswer) {
 
 const shareRange = () => {
   const answer = whatIfAnswer();
-  return answer && rangeOf(answer, 'share');
+  return answer && endsOver(answer, 'share');
 };
 
 /// The share that crosses, or the shares that enter and end inside.

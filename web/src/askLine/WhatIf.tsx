@@ -11,6 +11,8 @@ import { unitSystem } from '../state/displayUnits';
 import { shown } from '../runs/runs';
 import { barsOf, changeText, figures, figureTitle, nameOf, type WhatIfBar } from './tornadoOf';
 import { begin, chooseFigure, openAsRun, refusal, stop, unitOfChange, whatIf, whatIfFigure } from './whatIf';
+import { asked } from './asked';
+import { shapeOf } from './shape';
 import { WhatIfChoices } from './WhatIfChoices';
 import { chooseMaterial, chosenSteps, material, optionsOf } from './whatIfChoices';
 
@@ -33,7 +35,7 @@ const rowsOf = (of: WhatIfAnswer) => [
   ['factor', 'step_percent', 'values', 'clipped', ...Object.keys(figures).flatMap((by) => [`${by}_change`, `${by}_change_low`, `${by}_change_high`])],
   ...of.variations.map((each) => [
     each.factor,
-    each.step_percent,
+    each.step_percent ?? '',
     each.text,
     each.clipped,
     ...(Object.keys(figures) as WhatIfFigure[]).flatMap((by) => (each.difference[by] ?? [null, null, null]).map((end) => end ?? '')),
@@ -66,13 +68,13 @@ function Chosen({ of, variation }: { of: WhatIfState; variation: Variation }) {
       <strong>{nameOf(variation)}</strong>
       <span>{variation.text}</span>
       {variation.clipped && <span class="problem warning">Clipped: {variation.clipped}</span>}
-      <button
+      {variation.changes.length > 0 && <button
         class="button"
         title="Computes the project of this run with these values, with the same rocks. The open project stays as it is"
         onClick={() => void openAsRun(of, variation)}
       >
         Open as a run of its own
-      </button>
+      </button>}
     </div>
   );
 }
@@ -130,7 +132,7 @@ export function WhatIf() {
   return (
     <div class="asked-what-if">
       <h3>What if</h3>
-      {!now && <p class="faint">How the figures change if restitution, friction, roughness, forest or mass are a step lower or higher, for the same rocks.</p>}
+      {!now && <p class="faint">How the figures change if restitution, friction, roughness, forest or mass are a step lower or higher, and with the other rock models, for the same rocks.</p>}
       {now?.problems.map((problem) => (
         <p key={problem.text} class={`problem ${problem.severity}`}>
           {problem.text}
@@ -154,7 +156,7 @@ export function WhatIf() {
           class="button"
           disabled={!options}
           title={options ? undefined : 'Choose an input above'}
-          onClick={() => options && void begin(options)}
+          onClick={() => options && asked.value && void begin(shapeOf(asked.value), { ...options, models: true })}
         >
           {now ? 'Vary the inputs again' : 'Vary the inputs'}
         </button>

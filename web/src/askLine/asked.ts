@@ -36,14 +36,14 @@ export type SourceColour = 'crossing' | 'clearing' | 'none';
 /// What the release places are coloured by: the share of their rocks that crosses, or that the kit would not stop.
 export const [sourceColour, colourSources] = owned(keptOfProject<SourceColour>('release places', 'crossing'));
 
-/// Asks something else as one step of Undo; null: nothing.
-export function ask(next: Asked | null, what: string) {
+/// Asks something else as one step of Undo; null: nothing. `opens`: its card, too.
+export function ask(next: Asked | null, what: string, opens = true) {
   const [before, after] = [kept.peek(), textOf(next)];
   if (before === after) return;
   const put = (text: string) =>
     batch(() => {
       kept.value = text;
-      isOpen.value = true;
+      if (opens) isOpen.value = true;
     });
   put(after);
   recordBeside(what, () => put(before), () => put(after));

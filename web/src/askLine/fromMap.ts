@@ -37,15 +37,15 @@ async function takeNearest([x, y]: Point3) {
   ask({ kind: best.kind, points }, `ask ${best.name || 'a line of a layer'}`);
 }
 
-/// Asks the contour through a place, or at an elevation near it.
-async function takeContour([x, y]: Point3, elevation_m?: number) {
+/// Asks the contour through a place, or at an elevation near it. `opens`: the card, too.
+export async function askContour([x, y]: Point3, { elevation_m, opens = true }: { elevation_m?: number; opens?: boolean } = {}) {
   const now = model.peek();
   if (!now) return;
   try {
     const found = await sendJson<{ elevation_m: number; points: Point2[] }>('POST', `/api/models/${now.id}/contour`, { place: [x, y], ...(elevation_m !== undefined && { elevation_m }) });
     if (model.peek()?.id !== now.id) return;
     resolve('asked file');
-    ask({ kind: 'line', points: found.points }, `ask the contour at ${numberText(found.elevation_m, 5)} m`);
+    ask({ kind: 'line', points: found.points }, `ask the contour at ${numberText(found.elevation_m, 5)} m`, opens);
   } catch (error) {
     if (!(error instanceof Refused)) throw error;
     notify('note', error.message, 'asked file');
@@ -62,6 +62,6 @@ export function takeFromMap(what: keyof typeof names, elevation?: () => number |
     least: 1,
     most: 1,
     hint: what === 'layer' ? 'Click a line of a reference layer.' : 'Click the place through which the contour runs, or near which it has the elevation of the card.',
-    done: ([place]) => void (what === 'layer' ? takeNearest(place!) : takeContour(place!, elevation?.())).catch(reportFailure),
+    done: ([place]) => void (what === 'layer' ? takeNearest(place!) : askContour(place!, { elevation_m: elevation?.() })).catch(reportFailure),
   });
 }

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { edited } from '../toml/edit';
 import { valuesOf } from '../toml/values';
-import { barsOf, changeText, editsOf, figureTitle, nameOf, rangeOf } from './tornadoOf';
+import { barsOf, changeText, editsOf, figureTitle, nameOf } from './tornadoOf';
 
 const variation = (factor: string, step: number, share: number, energy: number | null): Variation => ({
   factor,
@@ -14,6 +14,8 @@ const variation = (factor: string, step: number, share: number, energy: number |
   rocks: 10,
   share: [0.1, 0.08, 0.12],
   energy_J: null,
+  ke_translational_J: null,
+  ke_total_J: null,
   height_m: null,
   velocity_m_s: null,
   difference: {
@@ -32,7 +34,8 @@ const answer: WhatIfAnswer = {
   percentile: 95,
   confidence: 0.95,
   energy: 'translational',
-  base: { rocks: 10, share: [0.1, 0.08, 0.12], energy_J: null, height_m: null, velocity_m_s: null },
+  model: 'lumped_mass',
+  base: { rocks: 10, share: [0.1, 0.08, 0.12], energy_J: null, ke_translational_J: null, ke_total_J: null, height_m: null, velocity_m_s: null },
   variations: [variation('friction', -10, 0.02, 500), variation('friction', 10, -0.03, -2000), variation('mass', -25, 0, null), variation('mass', 25, 0.05, 90_000)],
 };
 
@@ -58,19 +61,21 @@ test('a step after which no rock crosses has no bar', () => {
   expect(changeText(null, kilojoules)).toBe('no rock crosses');
 });
 
+test('other rock models are rows of their own', () => {
+  const model = { ...variation('model', 0, 0.1, null), title: 'Rock model', step_percent: null, model: 'rigid_sphere' };
+  const bars = barsOf({ ...answer, variations: [model, ...answer.variations] }, 'share', percent);
+  expect([bars[0]!.name, bars[0]!.other]).toEqual(['Rock model: rigid sphere', undefined]);
+});
+
 test('changes are written with their sign and interval', () => {
   expect(changeText([0.042, 0.036, 0.048], percent)).toBe('+4.2 (+3.6 to +4.8) %');
   expect(changeText([-2000, null, null], kilojoules)).toBe('−2 kJ');
   expect(nameOf(answer.variations[0]!)).toBe('friction −10 %');
 });
 
-test('the energy of a figure has its name, and a range is over all inputs', () => {
+test('the energy of a figure has its name', () => {
   expect(figureTitle('energy_J', answer)).toBe('95 % translational energy');
   expect(figureTitle('height_m', answer)).toBe('95 % height');
-  const varied = { base: answer.base, variations: [{ ...variation('mass', 25, 0, null), share: [0.02, 0, 0.1] as [number, number, number], height_m: [3, null, null] as [number, null, null] }, { ...variation('mass', -25, 0, null), share: null }] };
-  expect(rangeOf(varied, 'share')).toEqual([0, 0.1]); // of no rock the share is 0
-  expect(rangeOf(varied, 'height_m')).toEqual([3, 3]);
-  expect(rangeOf(varied, 'velocity_m_s')).toBeNull();
 });
 
 test('a change is an edit of the text', () => {

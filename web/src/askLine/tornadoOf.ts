@@ -1,10 +1,11 @@
 // The answers to what if as bars of a tornado, and as rows of a table: each change with its interval.
 
 import type { Interval } from '../api/line';
-import type { Change, Variation, WhatIfAnswer, WhatIfFigure } from '../api/whatIf';
+import { modelFactor, type Change, type Variation, type WhatIfAnswer, type WhatIfFigure } from '../api/whatIf';
 import { measured } from '../units/numbers';
 import type { TornadoBar } from '../figures/tornado';
 import type { Edit } from '../settings/names';
+import { wordText } from '../settings/words';
 import type { Displayed } from '../units/units';
 
 /// The unit is that of the files.
@@ -22,15 +23,9 @@ export const changeIn = (by: WhatIfFigure, display: Displayed): Displayed => (by
 export const figureTitle = (by: WhatIfFigure, { percentile, energy }: Pick<WhatIfAnswer, 'percentile' | 'energy'>) =>
   by === 'share' ? 'Share' : `${percentile} % ${by === 'energy_J' ? `${energy} ` : ''}${figures[by].title}`;
 
-/// The lowest and the highest value of a figure over the project's inputs and all that were varied; null: no rock crosses.
-export function rangeOf({ base, variations }: Pick<WhatIfAnswer, 'base' | 'variations'>, by: WhatIfFigure): [number, number] | null {
-  const values = [base, ...variations].flatMap((each) => each[by]?.[0] ?? (by === 'share' ? 0 : []));
-  return values.length > 0 ? [Math.min(...values), Math.max(...values)] : null;
-}
-
-/// "Roughness +25 %"
-export const nameOf = ({ title, step_percent: step }: Pick<Variation, 'title' | 'step_percent'>) =>
-  `${title} ${step < 0 ? '−' : '+'}${Math.abs(step)} %`;
+/// "Roughness +25 %", "Rock model: rigid sphere"
+export const nameOf = ({ title, step_percent: step, model }: Pick<Variation, 'title' | 'step_percent' | 'model'>) =>
+  step === null ? `${title}: ${wordText(model ?? '')}` : `${title} ${step < 0 ? '−' : '+'}${Math.abs(step)} %`;
 
 /// A bar that knows its variation.
 export interface WhatIfBar extends TornadoBar {
@@ -50,9 +45,10 @@ export function barsOf({ variations }: WhatIfAnswer, by: WhatIfFigure, display: 
   for (const factor of new Set(variations.map((each) => each.factor))) {
     const [first, second] = variations
       .filter((each) => each.factor === factor)
-      .toSorted((a, b) => a.step_percent - b.step_percent)
+      .toSorted((a, b) => (a.step_percent ?? 0) - (b.step_percent ?? 0))
       .flatMap((each) => barOf(each, by, display) ?? []);
-    if (first) rows.push(second ? { ...first, other: second, row: first.variation.title } : first);
+    if (factor === modelFactor) rows.push(...[first, second].filter((bar) => bar !== undefined));
+    else if (first) rows.push(second ? { ...first, other: second, row: first.variation.title } : first);
   }
   const size = ({ value, other }: TornadoBar) => Math.max(Math.abs(value), Math.abs(other?.value ?? 0));
   return rows.toSorted((a, b) => size(b) - size(a));

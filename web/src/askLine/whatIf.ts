@@ -1,6 +1,6 @@
 // What if, of the shown run and what is asked of it: begun here, followed while it runs, and any change opened as a run.
 
-import { computed, effect, signal } from '@preact/signals';
+import { batch, computed, effect, signal, type ReadonlySignal } from '@preact/signals';
 import { whatIfs, type Variation, type WhatIfFigure, type WhatIfOptions, type WhatIfState } from '../api/whatIf';
 import { edited } from '../toml/edit';
 import type { AskedShape } from '../api/line';
@@ -10,7 +10,7 @@ import { kept } from '../state/kept';
 import { attempt, reportFailure } from '../state/messages';
 import { compute, hasResults, shown } from '../runs/runs';
 import { showPanel } from '../state/panels';
-import { asked, isAsking } from './asked';
+import { asked } from './asked';
 import { shapeOf } from './shape';
 import { changeIn, editsOf, figures, nameOf } from './tornadoOf';
 import { owned } from '../state/owned';
@@ -20,25 +20,36 @@ const last = signal<WhatIfState | null>(null);
 export const [whatIfFigure, chooseFigure] = owned(kept<WhatIfFigure>('figure of what if', 'share'));
 export const unitOfChange = (by: WhatIfFigure) => changeIn(by, displayOf(figures[by].unit));
 
-const key = (run: string, { line, barrier, polygon }: AskedShape) => JSON.stringify([run, line, barrier, polygon]);
-/// That of the shown run and of what is asked now; null: not begun.
-export const whatIf = computed(() => {
-  const [found, run, now] = [last.value, shown.value, asked.value];
-  return found && run && now && key(found.run, found.question) === key(run.id, shapeOf(now)) ? found : null;
-});
+/// Names a question to a run.
+export const questionKey = (run: string, { line, barrier, polygon }: AskedShape) => JSON.stringify([run, line, barrier, polygon]);
+/// That of a question to the shown run; null: not begun, or another question was asked since.
+export function whatIfOf(shape: AskedShape): WhatIfState | null {
+  const [found, run] = [last.value, shown.value];
+  return found && run && questionKey(found.run, found.question) === questionKey(run.id, shape) ? found : null;
+}
+/// That of what is asked now.
+export const whatIf = computed(() => asked.value && whatIfOf(shapeOf(asked.value)));
+
+const askedFor = signal<string | null>(null);
+/// The run of which the last one is known, or known not to be.
+export const knownOf: ReadonlySignal<string | null> = askedFor;
 
 // One that was begun before the page was loaded, or in another tab, goes on at the server.
 async function find(run: string) {
   try {
     const found = await whatIfs.state(run);
-    if (shown.peek()?.id === run && last.peek()?.run !== run) last.value = found;
+    if (shown.peek()?.id !== run) return;
+    batch(() => {
+      if (last.peek()?.run !== run) last.value = found;
+      askedFor.value = run;
+    });
   } catch (error) {
     reportFailure(error, 'what if');
   }
 }
 effect(() => {
   const run = shown.value;
-  if (isAsking.value && run && hasResults(run) && last.peek()?.run !== run.id) void find(run.id);
+  if (run && hasResults(run) && askedFor.peek() !== run.id) void find(run.id);
 });
 
 let timer: ReturnType<typeof setTimeout> | undefined;
@@ -62,11 +73,16 @@ effect(() => {
 /// Why the last one could not be begun, for example because of a step; null: it was.
 export const refusal = signal<string | null>(null);
 
-export async function begin(options: WhatIfOptions) {
-  if (!shown.value || !asked.value) return;
+export async function begin(shape: AskedShape, options: WhatIfOptions) {
+  const run = shown.peek()?.id;
+  if (run === undefined) return;
   refusal.value = null;
   try {
-    last.value = await whatIfs.begin(shown.value.id, { ...shapeOf(asked.value), ...options });
+    const begun = await whatIfs.begin(run, { ...shape, ...options });
+    batch(() => {
+      last.value = begun;
+      askedFor.value = run;
+    });
   } catch (error) {
     refusal.value = error instanceof Error ? error.message : String(error);
   }

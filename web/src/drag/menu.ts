@@ -14,7 +14,6 @@ import { notify } from '../state/messages';
 import { model } from '../project/model';
 import { chosen, openForm } from '../project/chosen';
 import { showRock } from '../runs/chosenRock';
-import { openResults } from '../state/panels';
 import type { TomlValue } from '../toml/format';
 import { distanceToLine, type Pixel } from '../geometry/nearness';
 import { handleAt, type DragView } from './drag';
@@ -133,7 +132,7 @@ export function openMenu(view: DragView, at: Pixel, window: { x: number; y: numb
     ...(handle && handle !== 'line' ? ofVertex(handle.vertex) : handle === 'line' || isOnSection ? ofLine(view, at, place) : []),
     ...(thing ? ofThing(thing) : []),
     ...(rock !== null
-      ? [{ title: `Show rock ${rock}`, act: () => void (showRock(rock), openResults()) }]
+      ? [{ title: `Show rock ${rock}`, act: () => showRock(rock) }]
       : []),
     ...(place ? [...ofPlace(place), ...more(place)] : []),
   ];

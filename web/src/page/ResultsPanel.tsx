@@ -3,7 +3,7 @@
 import { useId } from 'preact/hooks';
 import type { Run, RunState } from '../api/types';
 import { hasResults, ownRuns, resume, shown, shownCalibration, writePartialResults } from '../runs/runs';
-import { openResults, resultsOpen, resultsShare, resultsTab, showPanel, showTab, type ResultsTab } from '../state/panels';
+import { keepResults, resultsOpen, resultsShare, resultsTab, showPanel, showTab, type ResultsTab } from '../state/panels';
 import { dimension, tableAt } from '../project/place';
 import { CalibrationTab } from '../calibration/CalibrationTab';
 import { ObservedTab } from '../calibration/ObservedTab';
@@ -119,7 +119,7 @@ export function ResultsPanel() {
           now={now}
           choose={(name) => {
             showTab(name);
-            openResults();
+            keepResults(true);
           }}
         />
         <span class="results-run" title={name}>
@@ -129,7 +129,7 @@ export function ResultsPanel() {
           class="button plain"
           aria-expanded={isOpen}
           aria-controls={panel}
-          onClick={() => openResults(!isOpen)}
+          onClick={() => keepResults(!isOpen)}
         >
           {isOpen ? 'Hide ▾' : 'Results ▴'}
         </button>

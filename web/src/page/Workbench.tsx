@@ -3,28 +3,27 @@
 import { useEffect } from 'preact/hooks';
 import { unitSystem } from '../state/displayUnits';
 import { isStale } from '../project/model';
-import { showPanel, sidePanel } from '../state/panels';
+import { isSideFolded, sidePanel } from '../state/panels';
+import { AnswerCards } from '../answers/AnswerCards';
 import { isAsking } from '../askLine/asked';
 import { AskCard } from '../askLine/AskCard';
 import { takeLineFiles } from '../askLine/lineFiles';
-import { ModelPanel } from '../forms/ModelPanel';
 import { dimension } from '../project/place';
 import { listenToDrops } from '../project/terrainFile';
 import { SlopeCard } from '../slopeTools/SlopeCard';
 import { slopePane } from '../slopeTools/state';
 import { TimeBar } from '../paths/TimeBar';
+import { hasResults, shown } from '../runs/runs';
 import { ResultsPanel } from './ResultsPanel';
-import { RunsPanel } from '../runList/RunsPanel';
 import { SceneView } from '../scene/SceneView';
 import { SectionView } from '../section/SectionView';
-import { TextPanel } from '../forms/TextPanel';
-import { CalibratePanel } from '../calibration/CalibratePanel';
 import { takeObserved } from '../calibration/observations';
 import { DropDialog } from '../dropped/DropDialog';
 import { hasRaster, takeDropped } from '../dropped/dropped';
 import { ContextMenu } from '../drag/ContextMenu';
+import { Side } from './Side';
 import { TopBar } from './TopBar';
-import { Tabs } from '../ui/Tabs';
+import './answersFirst';
 import { SavingDialogs } from './SavingDialogs';
 
 export function Workbench() {
@@ -36,28 +35,11 @@ export function Workbench() {
     [],
   );
   return (
-    <div class="workbench">
+    <div class={isSideFolded.value ? 'workbench side-folded' : 'workbench'}>
       <TopBar />
-      <aside class="side" aria-label="Model and runs">
-        <Tabs
-          label="Model and runs"
-          tabs={[
-            { name: 'model', title: 'Model' },
-            { name: 'runs', title: 'Runs' },
-            { name: 'calibrate', title: 'Calibrate' },
-            { name: 'text', title: 'Text' },
-          ]}
-          now={sidePanel.value}
-          choose={showPanel}
-        />
-        <div class="body">
-          {sidePanel.value === 'model' && <ModelPanel />}
-          {sidePanel.value === 'runs' && <RunsPanel />}
-          {sidePanel.value === 'calibrate' && <CalibratePanel />}
-          {sidePanel.value === 'text' && <TextPanel />}
-        </div>
-      </aside>
+      <Side />
       <main class="view">
+        {shown.value && hasResults(shown.value) && <AnswerCards key={`answers in ${unitSystem.value}`} />}
         <div class="picture">
           {dimension.value === 2 ? <SectionView /> : <SceneView />}
           {isStale.value && (

@@ -10,10 +10,10 @@ import { file, fileStem, rowsOf, values } from '../project/document';
 import { reportFailure } from '../state/messages';
 import { close, open } from '../project/opening';
 import { comparedId, shownId, showRuns } from '../runs/runs';
-import { resultsTab, showPanel, showTab, sidePanel } from '../state/panels';
+import { resultsTab, showTab, sidePanel, turnToPanel } from '../state/panels';
 import { askedText, isAsking, openAsked } from '../askLine/asked';
 import { drape, drapedMap } from '../maps/shownMap';
-import { choose, chosen } from '../project/chosen';
+import { chosen, turnTo } from '../project/chosen';
 import { chooseRock, chosenRock } from '../runs/chosenRock';
 import { showVerification, verifying } from '../start/verifying';
 import { allWritten } from '../state/writes';
@@ -50,10 +50,10 @@ async function goTo(place: Place, moves: boolean) {
   }
   batch(() => {
     showVerification(place.verifying);
-    showPanel(place.sidePanel);
+    turnToPanel(place.sidePanel);
     showTab(place.resultsTab);
     if (place.file === null) return;
-    choose(exists(place.chosen) ? place.chosen : null);
+    turnTo(exists(place.chosen) ? place.chosen : null);
     chooseRock(place.rock);
     drape(place.map);
     openAsked(place.asked);

@@ -2,11 +2,16 @@
 
 import type { Path } from '../settings/names';
 import { owned } from '../state/owned';
-import { showPanel } from '../state/panels';
+import { showPanel, sidePanel, unfoldForms } from '../state/panels';
 import { ofProject } from './ofProject';
 
-/// Its path, such as ["seeder", 0].
-export const [chosen, choose] = owned(ofProject<Path | null>(null));
+/// Its path, such as ["seeder", 0], and what selects it without unfolding the forms, as addresses do.
+export const [chosen, turnTo] = owned(ofProject<Path | null>(null));
+
+export function choose(next: Path | null) {
+  turnTo(next);
+  if (next !== null && sidePanel.peek() === 'model') unfoldForms();
+}
 
 /// Opens its form in the panel at the left.
 export function openForm(next: Path | null) {

@@ -2,12 +2,14 @@
 
 import { ofProject } from '../project/ofProject';
 import { owned } from '../state/owned';
-import { showTab } from '../state/panels';
+import { openResults, showTab } from '../state/panels';
 
 export const [chosenRock, chooseRock] = owned(ofProject<number | null>(null));
 
-/// Selects a rock and turns to its tab; null deselects.
+/// Selects a rock and shows its table; null deselects.
 export function showRock(next: number | null) {
   chooseRock(next);
-  if (next !== null) showTab('rock');
+  if (next === null) return;
+  showTab('rock');
+  openResults();
 }

@@ -90,11 +90,17 @@ function drawNorth(pen: Pen, heading: number, x: number, y: number) {
 
 export const projectTitle = () => (typeof values.peek().name === 'string' ? (values.peek().name as string) : fileStem());
 
-/// Of the title block of the report: what identifies the work.
-export function titleBlockFacts(): string[] {
+/// The title block of the report; what is not given is empty.
+export function titleBlock(): Record<'client' | 'project' | 'number' | 'revision' | 'author' | 'checked' | 'date', string> {
   const block = values.peek().report;
   const of = (key: string) => (isTable(block) && typeof block[key] === 'string' ? (block[key] as string) : '');
-  return [of('client'), of('project'), of('number'), of('revision') && `Rev. ${of('revision')}`, of('author')].filter(Boolean);
+  return { client: of('client'), project: of('project'), number: of('number'), revision: of('revision'), author: of('author'), checked: of('checked'), date: of('date') };
+}
+
+/// What identifies the work.
+export function titleBlockFacts(): string[] {
+  const { client, project, number, revision, author } = titleBlock();
+  return [client, project, number, revision && `Rev. ${revision}`, author].filter(Boolean);
 }
 
 function drawWords(pen: Pen, remarks: readonly string[]) {

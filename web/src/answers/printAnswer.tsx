@@ -1,21 +1,24 @@
-// Prints the sheet of an answer, by the browser's own dialog, which also saves it as PDF.
+// Prints the sheet of the answers, by the browser's own dialog, which also saves it as PDF.
 
 import { render } from 'preact';
-import { asking, type AskedAnswer } from '../api/line';
-import { results } from '../api/results';
+import { asking } from '../api/line';
+import type { Asked } from '../askLine/shape';
+import { isOutdated } from '../runs/outdated';
 import { attempt } from '../state/messages';
 import { model } from '../project/model';
 import { shown } from '../runs/runs';
 import { sheetPng } from '../view/sheet';
 import { AnswerSheet } from './AnswerSheet';
-import { asked } from './asked';
+import { doubtsOf } from './doubts';
+import { job } from './job';
+import { lineAnswer } from './lineAnswer';
+import { place, summary } from './place';
 import './answerSheet.css';
 
 /// What the asked barrier would stop of the rocks that reach it, by its own height and capacity; null: no such barrier is
 /// asked.
-async function asItStands(run: string): Promise<string | null> {
-  const now = asked.peek();
-  const barrier = now?.kind === 'barrier' ? model.peek()?.barriers.find(({ name }) => name === now.name) : undefined;
+async function asItStands(run: string, now: Asked): Promise<string | null> {
+  const barrier = now.kind === 'barrier' ? model.peek()?.barriers.find(({ name }) => name === now.name) : undefined;
   if (!barrier || barrier.kind === 'collector' || barrier.capacity_kJ === null) return null;
   const found = await asking.ask(run, { barrier: barrier.name, height_m: barrier.height_m, energy_kJ: barrier.capacity_kJ });
   return found.kind === 'polygon' ? null : (found.kit?.text ?? null);
@@ -23,11 +26,14 @@ async function asItStands(run: string): Promise<string | null> {
 
 let last: (() => void) | null = null;
 
-export const printAnswer = (of: AskedAnswer) =>
+/// The answers as they are shown now.
+export const printAnswer = () =>
   attempt('the sheet', async () => {
     last?.();
-    const run = shown.peek()!.id;
-    const [png, summary, own] = await Promise.all([sheetPng(), results.summary(run), asItStands(run)]);
+    const [run, now, of, summed, whatIf] = [shown.peek(), place.peek(), lineAnswer.peek().value, summary.peek(), job.peek()];
+    if (!run || !now || !of || !summed) return;
+    const doubts = doubtsOf({ answer: of, whatIf: whatIf?.answer ?? null, summary: summed, isOutdated: isOutdated.peek() });
+    const [png, own] = await Promise.all([sheetPng(), asItStands(run.id, now)]);
     const picture = png && URL.createObjectURL(png);
     const host = Object.assign(document.createElement('div'), { className: 'answer-sheet' });
     const end = (last = () => {
@@ -37,7 +43,7 @@ export const printAnswer = (of: AskedAnswer) =>
       host.remove();
     });
     document.body.append(host);
-    render(<AnswerSheet of={of} summary={summary} asItStands={own} picture={picture} />, host);
+    render(<AnswerSheet of={of} now={now} summary={summed} whatIf={whatIf} doubts={doubts} asItStands={own} picture={picture} />, host);
     await host.querySelector('img')?.decode();
     addEventListener('afterprint', end, { once: true });
     print();

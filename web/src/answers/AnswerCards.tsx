@@ -1,0 +1,89 @@
+// The answers of the shown run, above the view: what passes the chosen place, and how far to trust it.
+
+import type { WhatIfState } from '../api/whatIf';
+import { stop } from '../askLine/whatIf';
+import { isOutdated } from '../runs/outdated';
+import { shown } from '../runs/runs';
+import { Banner } from './Banner';
+import { cardsOf } from './cards';
+import { doubtsOf } from './doubts';
+import { setVaries, varies, vary, job } from './job';
+import { lineAnswer } from './lineAnswer';
+import { NoPlace } from './NoPlace';
+import { OneCard } from './OneCard';
+import { place, summary } from './place';
+import { PlaceChoice } from './PlaceChoice';
+import { printAnswer } from './printAnswer';
+import { areOpen, openCards } from './shownCards';
+import { placeName } from './whichPlace';
+import './placeOverlay';
+import './answers.css';
+
+/// What a row says while the job has no answer for it.
+function waitingText(of: WhatIfState | null): string {
+  if (!of) return varies.value ? 'follows' : 'not varied';
+  if (of.state === 'running') return 'computing…';
+  return of.state === 'stopped' ? 'stopped' : 'unknown';
+}
+
+function JobBar({ of }: { of: WhatIfState | null }) {
+  if (of?.state === 'running') {
+    const left = of.seconds_left === null ? '' : `, ${Math.ceil(of.seconds_left)} s left`;
+    return (
+      <span class="job-bar" title="The same rocks with other inputs and other rock models, in the background">
+        <progress aria-label="Other inputs and rock models" max={Math.max(of.planned, 1)} value={of.done} />
+        <span class="faint">inputs and models{left}</span>
+        <button class="button" onClick={() => (setVaries(false), void stop())} title="What is done is kept. From now on they are varied only if you ask for it">
+          Stop
+        </button>
+      </span>
+    );
+  }
+  const isWhole = of?.state === 'done' && of.answer?.variations.some(({ model }) => model !== undefined);
+  if (isWhole || !place.value || (varies.value && !of)) return null;
+  return (
+    <button class="button" onClick={() => (setVaries(true), vary())} title="Runs the same rocks with each input a step lower and higher, and with the other rock models, in the background; from now on after each run">
+      Vary inputs and models
+    </button>
+  );
+}
+
+export function AnswerCards() {
+  const run = shown.value!;
+  const [now, found, state] = [place.value, lineAnswer.value, job.value];
+  const whatIf = state?.answer ?? null;
+  const isOpen = areOpen.value;
+  const cards = found.value && now && cardsOf(found.value, whatIf, placeName(now, run.dimension));
+  return (
+    <section class={`answers ${isOpen ? '' : 'folded'}`} aria-label="Answers" aria-busy={now !== null && found.value === null && found.error === null}>
+      <header>
+        <h2>{run.name}</h2>
+        <PlaceChoice />
+        <span class="space" />
+        <JobBar of={state} />
+        {found.value && (
+          <button class="button" title="Prints these answers, the view and all inputs, on two pages at most" onClick={() => void printAnswer()}>
+            A4 sheet
+          </button>
+        )}
+        <button class="button plain icon" aria-expanded={isOpen} aria-label="Answers" title={isOpen ? 'Fold the answers' : 'Show the answers'} onClick={() => openCards(!isOpen)}>
+          {isOpen ? '▴' : '▾'}
+        </button>
+      </header>
+      {isOpen && (
+        <>
+          {found.error !== null && <p class="problem">{found.error}</p>}
+          {!now && summary.value && <NoPlace of={summary.value} />}
+          {cards && (
+            <div class="answer-cards">
+              {cards.map((card) => (
+                <OneCard key={card.key} of={card} waiting={waitingText(state)} isPart={state?.state === 'running'} />
+              ))}
+            </div>
+          )}
+          <Banner of={doubtsOf({ answer: found.value, whatIf, summary: summary.value, isOutdated: isOutdated.value })} problems={state?.problems ?? []} />
+        </>
+      )}
+    </section>
+  );
+}

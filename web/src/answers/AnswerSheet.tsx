@@ -1,0 +1,156 @@
+// The answers of a run on paper: the cards, the doubts and the view on the first page with lines to sign; the inputs and
+// how far the answers move on the second.
+
+import type { AskedAnswer } from '../api/line';
+import type { Summary } from '../api/results';
+import type { Point2 } from '../api/types';
+import type { WhatIfState } from '../api/whatIf';
+import { pointsOf } from '../askLine/askTools';
+import type { Asked } from '../askLine/shape';
+import { file } from '../project/document';
+import { model } from '../project/model';
+import { hasResults, shown } from '../runs/runs';
+import { about } from '../state/about';
+import { displayOf } from '../state/displayUnits';
+import { counted, fixedText, numberText } from '../units/numbers';
+import { projectTitle, titleBlock, titleBlockFacts } from '../view/sheet';
+import { cardsOf } from './cards';
+import type { Doubt } from './doubts';
+import { OneCard } from './OneCard';
+import { placeName } from './whichPlace';
+import { firstOf } from './firstOf';
+import { PrintedInputs } from './PrintedInputs';
+import { PrintedMoves } from './PrintedMoves';
+
+const [mostCorners, mostDoubts] = [6, 6];
+
+/// ", 5 m high, 3,000 kJ"
+function heightText(name: string): string {
+  const barrier = model.value?.barriers.find((each) => each.name === name);
+  if (!barrier) return '';
+  const capacity = barrier.kind === 'collector' ? '' : barrier.capacity_kJ === null ? ', unlimited capacity' : `, ${numberText(barrier.capacity_kJ)} kJ`;
+  return `, ${numberText(barrier.height_m)} m high${capacity}`;
+}
+
+const cornerText = (corner: Point2) => (model.value?.dimension === 2 ? `x ${corner[0].toFixed(2)} m` : `(${corner.map((each) => each.toFixed(2)).join(', ')})`);
+
+function Place({ of, now, asItStands }: { of: AskedAnswer; now: Asked; asItStands: string | null }) {
+  const corners = pointsOf(now);
+  const is2d = model.value?.dimension === 2;
+  const kind = now.kind === 'polygon' ? 'Area' : is2d ? 'Place' : 'Line';
+  return (
+    <p>
+      <strong>{now.kind === 'barrier' ? now.name : kind}</strong>
+      {now.kind === 'barrier' && heightText(now.name)}
+      {of.kind !== 'polygon' && !is2d && `, ${fixedText(of.length_m, 1)} m long`}
+      {corners.length > 0 && `: ${is2d ? '' : 'x, y [m] '}${corners.slice(0, mostCorners).map(cornerText).join(' ')}`}
+      {corners.length > mostCorners && ` and ${corners.length - mostCorners} more corners`}
+      {model.value?.crs && ` (${model.value.crs})`}
+      {asItStands !== null && `. As it stands: ${asItStands}`}.
+    </p>
+  );
+}
+
+function Signatures() {
+  const { author, checked, date } = titleBlock();
+  return (
+    <table class="signatures">
+      <tbody>
+        <tr>
+          {[
+            ['Prepared', author],
+            ['Checked', checked],
+            ['Date', date],
+            ['Signature', ''],
+          ].map(([what, who]) => (
+            <td key={what}>
+              <span>{what}</span>
+              {who}
+            </td>
+          ))}
+        </tr>
+      </tbody>
+    </table>
+  );
+}
+
+/// What stands below the cards: how far each row of theirs goes.
+function rowsText(of: AskedAnswer, whatIf: WhatIfState | null): string {
+  const sampling = `Sampling: with ${Math.round(100 * of.confidence)} % confidence, of the ${of.run.stored.toLocaleString('en')} rocks whose trajectories are stored.`;
+  const answer = whatIf?.answer;
+  if (!answer) return `${sampling} Inputs and rock models were not varied.`;
+  const part = answer.rocks < answer.planned ? `a fair sample of ${answer.rocks.toLocaleString('en')} of ${counted(answer.planned, 'rock')}` : `the same ${counted(answer.rocks, 'rock')}`;
+  return `${sampling} Inputs: ${part}, with each input a step lower and higher. Models: with the other rock models. Both in the table of the next page.`;
+}
+
+function Foot({ page }: { page: number }) {
+  const run = shown.value!;
+  const facts = [file.value, `run ${run.name}`, run.begun.slice(0, 10), displayOf('m').unit !== 'm' && 'places and inputs metric', `Talus ${about.value?.version ?? ''}`];
+  return (
+    <footer>
+      <span>{facts.filter(Boolean).join(' · ')}</span>
+      <span>{page} of 2</span>
+    </footer>
+  );
+}
+
+export interface SheetProps {
+  of: AskedAnswer;
+  now: Asked;
+  summary: Summary;
+  whatIf: WhatIfState | null;
+  doubts: readonly Doubt[];
+  /// What an asked barrier stops by its own height and capacity; null: none is asked.
+  asItStands: string | null;
+  picture: string | null;
+}
+
+export function AnswerSheet({ of, now, summary, whatIf, doubts, asItStands, picture }: SheetProps) {
+  const run = shown.value!;
+  const head = (
+    <header>
+      <h1>{projectTitle()}</h1>
+      <p>{titleBlockFacts().join(' · ')}</p>
+    </header>
+  );
+  const cards = cardsOf(of, whatIf?.answer ?? null, placeName(now, run.dimension));
+  return (
+    <>
+      <article>
+        {head}
+        <Place of={of} now={now} asItStands={asItStands} />
+        <div class="answer-cards">
+          {cards.map((card) => (
+            <OneCard key={card.key} of={card} waiting="not varied" isPart={false} />
+          ))}
+        </div>
+        <p class="faint">{rowsText(of, whatIf)}</p>
+        {doubts.length > 0 && (
+          <div class="doubts">
+            <ul>
+              {firstOf(doubts.map(({ text, todo }) => `${text} ${todo}`), mostDoubts, 'in the results').map((text) => (
+                <li key={text}>{text}</li>
+              ))}
+            </ul>
+          </div>
+        )}
+        {of.enough.text !== '' && <p>{of.enough.text}.</p>}
+        {picture && (
+          <div class="picture-of-view">
+            <img src={picture} alt="The view" />
+          </div>
+        )}
+        <Signatures />
+        <Foot page={1} />
+      </article>
+      <article>
+        {head}
+        <PrintedInputs of={summary} />
+        {whatIf?.answer && <PrintedMoves of={whatIf.answer} question={whatIf.question} />}
+        <div class="space" />
+        {hasResults(run) && <p class="faint">All results, figures and settings: report.html of the run, in {run.folder}.</p>}
+        <Foot page={2} />
+      </article>
+    </>
+  );
+}

@@ -1,0 +1,143 @@
+// The inputs of a run on paper: rock model and laws, blocks and releases, materials with their sources, and the files
+// with their checksums.
+
+import type { Summary } from '../api/results';
+import { counted, numberText } from '../units/numbers';
+import { bytesText } from '../units/texts';
+import { firstOf } from './firstOf';
+import { blocksText, lawsOf, materialsOf, modelOf, tablesOf } from './sheetInputs';
+import { blockShape, releaseText } from './sheetReleases';
+
+const [mostSeeders, mostMaterials, mostSources, mostFiles] = [5, 7, 5, 7];
+const inReport = 'in report.html of the run';
+
+function Model({ of: { project, rocks, seed } }: { of: Summary }) {
+  const part = rocks.done !== rocks.planned ? ` of ${numberText(Number(rocks.planned))} planned` : '';
+  return (
+    <section>
+      <h3>Rock model and laws</h3>
+      <p>
+        <strong>{modelOf(project)}</strong>: {lawsOf(project).join(', ')}. {counted(Number(rocks.done), 'rock')}
+        {part}, seed {seed}.
+      </p>
+    </section>
+  );
+}
+
+function Blocks({ of: { project, releases } }: { of: Summary }) {
+  const seeders = tablesOf(project, 'seeder');
+  return (
+    <section>
+      <h3>Blocks and releases</h3>
+      <table class="blocks">
+        <thead>
+          <tr>
+            {['Seeder', 'Size', 'Shape', 'Release', 'Rocks'].map((title) => (
+              <th key={title} scope="col">
+                {title}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {seeders.slice(0, mostSeeders).map((seeder, k) => (
+            <tr key={k}>
+              <th scope="row">{String(seeder.name)}</th>
+              <td>{blocksText(seeder)}</td>
+              <td>{blockShape(project, seeder)}</td>
+              <td>{releaseText(seeder)}</td>
+              <td>{numberText(Number(releases?.[k]?.rocks ?? seeder.rocks))}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {seeders.length > mostSeeders && (
+        <p>
+          and {counted(seeders.length - mostSeeders, 'more seeder')}, {inReport}
+        </p>
+      )}
+    </section>
+  );
+}
+
+function Ground({ of: { project, inputs } }: { of: Summary }) {
+  const { columns, rows } = materialsOf(project);
+  const sources = inputs?.material_sources ?? [];
+  const texts = [...new Set(sources.map(({ source }) => source))];
+  const marks = (name: string) => [...new Set(sources.filter(({ material }) => material === name).map(({ source }) => texts.indexOf(source) + 1))];
+  const sourceText = (name: string, like: string) => (marks(name).length > 0 ? `as ${like.replaceAll('_', ' ')} [${marks(name).join(', ')}]` : 'own values');
+  return (
+    <section>
+      <h3>Ground</h3>
+      <table class="materials">
+        <thead>
+          <tr>
+            {['Material', ...columns, 'Source'].map((title) => (
+              <th key={title} scope="col">
+                {title}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {rows.slice(0, mostMaterials).map(({ name, like, values }) => (
+            <tr key={name}>
+              <th scope="row">{name}</th>
+              {values.map((value, k) => (
+                <td key={columns[k]}>{value}</td>
+              ))}
+              <td>{sourceText(name, like)}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {rows.length > mostMaterials && (
+        <p>
+          and {counted(rows.length - mostMaterials, 'more material')}, {inReport}
+        </p>
+      )}
+      {firstOf(texts.map((text, k) => `[${k + 1}] ${text}`), mostSources, inReport).map((text) => (
+        <p key={text} class="source">
+          {text}
+        </p>
+      ))}
+    </section>
+  );
+}
+
+function Files({ of: { inputs } }: { of: Summary }) {
+  const files = inputs?.files ?? [];
+  if (files.length === 0) return null;
+  return (
+    <section>
+      <h3>Files, as the run began</h3>
+      <table class="checksums">
+        <tbody>
+          {files.slice(0, mostFiles).map(({ name, bytes, sha256 }) => (
+            <tr key={name}>
+              <th scope="row">{name}</th>
+              <td>{bytesText(Number(bytes))}</td>
+              <td class="mono">{sha256}</td>
+            </tr>
+          ))}
+        </tbody>
+      </table>
+      {files.length > mostFiles && (
+        <p>
+          and {counted(files.length - mostFiles, 'more file')}, {inReport}
+        </p>
+      )}
+    </section>
+  );
+}
+
+export function PrintedInputs({ of }: { of: Summary }) {
+  return (
+    <>
+      <Model of={of} />
+      <Blocks of={of} />
+      <Ground of={of} />
+      <Files of={of} />
+    </>
+  );
+}

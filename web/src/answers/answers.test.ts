@@ -1,0 +1,150 @@
+import { expect, test } from 'vitest';
+import type { Interval, LineAnswer } from '../api/line';
+import type { Summary } from '../api/results';
+import type { Figures, Variation, WhatIfAnswer } from '../api/whatIf';
+import { inputsOf, modelsOf, rangeOver } from '../askLine/spread';
+import { cardsOf } from './cards';
+import { areApart, doubtsOf } from './doubts';
+import { firstOf } from './firstOf';
+import { shouldBegin, type Situation } from './jobStep';
+import { middleEnd } from './middleEnd';
+import { placeName, placeOf } from './whichPlace';
+
+const figures = (share: number, height: number | null): Figures => {
+  const interval = (value: number, by: number): Interval => [value, value - by, value + by];
+  const energy = height === null ? null : interval(1e5 * height, 1e4);
+  return {
+    rocks: Math.round(1000 * share),
+    share: interval(share, 0.01),
+    energy_J: energy,
+    ke_translational_J: energy,
+    ke_total_J: energy,
+    height_m: height === null ? null : interval(height, 0.2),
+    velocity_m_s: null,
+  };
+};
+const nothing = { gained: 0, lost: 0, share: null, energy_J: null, ke_translational_J: null, ke_total_J: null, height_m: null, velocity_m_s: null };
+const set = (factor: string, step_percent: number | null, of: Figures, model?: string): Variation => ({
+  ...of,
+  factor,
+  title: factor,
+  step_percent,
+  ...(model !== undefined && { model }),
+  text: '',
+  clipped: '',
+  changes: [],
+  difference: nothing,
+});
+const whatIf = (variations: Variation[]): WhatIfAnswer => ({
+  rocks: 1000,
+  planned: 1000,
+  percentile: 95,
+  confidence: 0.95,
+  energy: 'translational',
+  model: 'lumped_mass',
+  base: figures(0.1, 0.7),
+  variations,
+});
+const varied = whatIf([
+  set('model', null, figures(0.12, 4.7), 'rigid_sphere'),
+  set('model', null, figures(0, null), 'rigid_body'),
+  set('roughness', -25, figures(0, null)),
+  set('roughness', 25, figures(0.179, 0.9)),
+]);
+
+const line = (height: number, block: number | null = 0.5): LineAnswer =>
+  ({
+    kind: 'line',
+    run: { rocks: 1000, stored: 1000 },
+    standard: 'UNI 11211-4',
+    factors: { of_total_energy: false },
+    design_percentile: 95,
+    confidence: 0.95,
+    whole: {
+      rocks: 100,
+      share: { value: 0.1, low: 0.08, high: 0.12 },
+      percentiles: { height_m: { 95: [height, height - 0.1, null] }, ke_translational_J: { 95: [7e4, 6e4, 8e4] }, ke_total_J: { 95: [9e4, 8e4, 1e5] } },
+      needs: { energy_J: 9e4, class: 1, height_m: 1.2 },
+      needs_at_upper_end: null,
+      largest_block_m: block,
+    },
+    problems: [],
+  }) as unknown as LineAnswer;
+
+test('a range is over the own values and those of the sets, and knows which give its ends', () => {
+  const over = rangeOver(varied.base, inputsOf(varied), 'share')!;
+  expect([over.low, over.high, over.atLow?.step_percent, over.atHigh?.step_percent]).toEqual([0, 0.179, -25, 25]); // of no rock the share is 0
+  expect(rangeOver(varied.base, inputsOf(varied), 'height_m')).toMatchObject({ low: 0.7, high: 0.9, atLow: null });
+  expect(rangeOver(varied.base, modelsOf(varied), 'height_m')).toMatchObject({ low: 0.7, high: 4.7 });
+  // The figure that it stands beside is in it, also if the sets have fewer rocks.
+  expect(rangeOver(varied.base, modelsOf(varied), 'height_m', 0.6)!.low).toBe(0.6);
+  expect(rangeOver(varied.base, [], 'share')).toBeNull();
+});
+
+test('four cards, each with sampling, inputs and models', () => {
+  const [share, energy, height, fence] = cardsOf(line(0.7), varied, 'Road');
+  expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: '0 to 17.9 %', models: '0 to 12 %' }] });
+  expect(share!.figures[0]!.modelsWhy).toBe('lumped mass 10 % (this run), sphere 12 %, shape 0 %');
+  expect(energy!.figures.map(({ name, value, inputs }) => [name, value, inputs])).toEqual([
+    ['translational', '70 kJ', '70 to 90 kJ'],
+    ['total', '90 kJ', '70 to 90 kJ'],
+  ]);
+  expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: '0.7 to 4.7 m' });
+  expect(fence).toMatchObject({ title: 'Fence needed: class 1', note: 'UNI 11211-4, with its factors; ranges are without them.' });
+  const [, , , bare] = cardsOf({ ...line(0.7), standard: null }, null, 'Road');
+  expect(bare).toMatchObject({ title: 'Fence needed', note: 'No standard is chosen: no factors are applied.', figures: [{ inputs: null, models: null }, {}] });
+});
+
+test('models disagree if their intervals are apart; without an upper end, by more than twice', () => {
+  expect(areApart([1, 0.9, 1.1], [1.3, 1.2, 1.4])).toBe(true);
+  expect(areApart([1, 0.9, 1.25], [1.3, 1.2, 1.4])).toBe(false);
+  expect(areApart([1, 0.9, null], [1.5, 1.4, null])).toBe(false);
+  expect(areApart([1, 0.9, null], [4, 3.5, null])).toBe(true);
+});
+
+const known = { answer: null, whatIf: null, summary: null, isOutdated: false };
+test('doubts, the most serious first', () => {
+  const summary = { notes: ['120 of 1,000 rocks left the model: runout is cut'], warnings: ['a.toml:3: warning: no seed'], end_reasons: {} } as unknown as Summary;
+  const ground = { what: '80 % of the way of all rocks was slid or rolled', why: 'blocks bounce', hint: 'Look at roughness_deg', text: '' };
+  const answer = { ...line(0.4), problems: [ground] } as unknown as LineAnswer;
+  const found = doubtsOf({ answer, whatIf: varied, summary, isOutdated: true });
+  expect(found.map(({ kind }) => kind)).toEqual(['outdated', 'models', 'height', 'ground', 'left', 'run']);
+  expect(found[1]!.text).toBe('Rock models disagree by more than chance: the 95 % height is 0.4 m with lumped mass (this run) and 4.7 m with sphere; the share that passes is 10 % with lumped mass (this run) and 0 % with shape.');
+  expect(found[2]!.text).toContain('less than the largest block that crosses, 0.5 m');
+  expect(found[5]!.text).toBe('No seed');
+});
+test('no doubt where models agree, heights are above the block and nothing was warned of', () => {
+  expect(doubtsOf({ ...known, answer: line(0.7), whatIf: whatIf([set('model', null, figures(0.11, 0.8), 'rigid_sphere')]) })).toEqual([]);
+  expect(doubtsOf({ ...known, answer: line(0.01, 0) })[0]!.text).toContain('next to nothing');
+});
+
+test('the job begins once for each run and place', () => {
+  const now: Situation = { isOn: true, question: 'a', isComputing: false, isKnown: true, last: null, begun: null };
+  expect(shouldBegin(now)).toBe(true);
+  expect(shouldBegin({ ...now, begun: 'b' })).toBe(true); // the line was moved, or the run is another one
+  for (const change of [{ isOn: false }, { question: null }, { isComputing: true }, { isKnown: false }, { last: 'a' }, { begun: 'a' }])
+    expect(shouldBegin({ ...now, ...change })).toBe(false);
+});
+
+test('the place: what is asked, or the road, another collector, a barrier', () => {
+  const net = { name: 'Net', kind: 'barrier' } as const;
+  const [foot, road] = [{ name: 'Foot', kind: 'collector' }, { name: 'Road K12', kind: 'collector' }] as const;
+  const drawn = { kind: 'line', points: [[1, 2], [3, 4]] } as const;
+  expect(placeOf({ kind: 'line', points: [[1, 2], [3, 4]] }, 3, [road])).toEqual(drawn);
+  expect(placeOf({ kind: 'line', points: [[1, 2]] }, 3, [net, foot, road])).toEqual({ kind: 'barrier', name: 'Road K12' });
+  expect(placeOf(null, 3, [net, foot])).toEqual({ kind: 'barrier', name: 'Foot' });
+  expect(placeOf(null, 3, [net])).toEqual({ kind: 'barrier', name: 'Net' });
+  expect(placeOf(null, 3, [])).toBeNull();
+  expect(placeName({ kind: 'line', points: [[15.204, 0]] }, 2)).toBe('x = 15.2 m');
+});
+
+test('half of the rocks end below the middle end', () => {
+  const paths = { starts: Uint32Array.of(0, 2, 4, 6), positions: Float32Array.of(0, 0, 9, 1, 0, 3, 0, 0, 9, 2, 0, 1, 0, 0, 9, 3, 0, 2), header: { origin: [10, 0, 100] } };
+  expect(middleEnd(paths as never)).toEqual([13, 0, 102]);
+  expect(middleEnd({ ...paths, starts: Uint32Array.of(0) } as never)).toBeNull();
+});
+
+test('long lists say how much is left out', () => {
+  expect(firstOf(['a', 'b'], 2, 'there')).toEqual(['a', 'b']);
+  expect(firstOf(['a', 'b', 'c'], 2, 'there')).toEqual(['a', 'and 2 more, there']);
+});

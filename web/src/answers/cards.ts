@@ -1,0 +1,143 @@
+// The four answers of the page as texts: each figure with its interval of sampling, and its ranges over inputs and over
+// rock models.
+
+import type { AskedAnswer, Interval, LineAnswer, LineQuantity } from '../api/line';
+import type { WhatIfAnswer } from '../api/whatIf';
+import { intervalText, percentText } from '../askLine/kit';
+import { inputsOf, modelsOf, rangeOver, type Range, type SpreadFigure } from '../askLine/spread';
+import { nameOf } from '../askLine/tornadoOf';
+import { displayOf } from '../state/displayUnits';
+import { numberText } from '../units/numbers';
+import { modelName } from './models';
+
+export interface CardFigure {
+  /// Empty if the title of the card says it.
+  name: string;
+  value: string;
+  sampling: string;
+  /// Null: unknown, such as before the job has begun.
+  inputs: string | null;
+  models: string | null;
+  /// Which inputs give the ends, and what each model gives.
+  inputsWhy: string;
+  modelsWhy: string;
+}
+export interface Card {
+  key: 'share' | 'energy' | 'height' | 'fence';
+  title: string;
+  figures: CardFigure[];
+  note: string;
+}
+
+type Text = (value: number) => string;
+interface Scale {
+  text: Text;
+  /// With "to" between both, the unit once.
+  range: (low: number, high: number) => string;
+}
+
+const shareScale: Scale = { text: percentText, range: (low, high) => intervalText({ value: 0, low, high }) };
+function scaleOf(metric: string): Scale {
+  const { unit, per } = displayOf(metric);
+  const number = (value: number) => numberText(value / per, 3);
+  return { text: (value) => `${number(value)} ${unit}`, range: (low, high) => `${number(low)} to ${number(high)} ${unit}` };
+}
+
+/// "1.2 to 3.4 m"; "1.2 m or more" with too few rocks.
+export function samplingText([, low, high]: Interval, { text, range }: Scale): string {
+  if (low !== null && high !== null) return range(low, high);
+  return low !== null ? `${text(low)} or more` : high !== null ? `up to ${text(high)}` : 'too few rocks';
+}
+
+const endText = (end: Range['atLow']) => (end ? nameOf(end) : 'the inputs as they are');
+
+function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number | null, scale: Scale): Pick<CardFigure, 'inputs' | 'models' | 'inputsWhy' | 'modelsWhy'> {
+  if (!whatIf) return { inputs: null, models: null, inputsWhy: '', modelsWhy: '' };
+  const { base } = whatIf;
+  const models = modelsOf(whatIf);
+  const [overInputs, overModels] = [rangeOver(base, inputsOf(whatIf), by, shown), rangeOver(base, models, by, shown)];
+  const own = shown ?? base[by]?.[0];
+  const each = models.map((model) => `${modelName(model.model)} ${model[by] ? scale.text(model[by][0]) : by === 'share' ? scale.text(0) : 'none crosses'}`);
+  return {
+    inputs: overInputs && scale.range(overInputs.low, overInputs.high),
+    models: overModels && scale.range(overModels.low, overModels.high),
+    inputsWhy: overInputs ? `lowest with ${endText(overInputs.atLow)}, highest with ${endText(overInputs.atHigh)}` : '',
+    modelsWhy: overModels ? [`${modelName(whatIf.model)} ${own === undefined ? 'none crosses' : scale.text(own)} (this run)`, ...each].join(', ') : '',
+  };
+}
+
+function figureOf(name: string, value: Interval | null, scale: Scale, whatIf: WhatIfAnswer | null, by: SpreadFigure): CardFigure {
+  return {
+    name,
+    value: value ? scale.text(value[0]) : 'none',
+    sampling: value ? samplingText(value, scale) : '',
+    ...rangesOf(whatIf, by, value?.[0] ?? null, scale),
+  };
+}
+
+/// The answer of what if applies to the percentile of the cards.
+const fitting = (whatIf: WhatIfAnswer | null, percentile: string) => (whatIf && String(whatIf.percentile) === percentile ? whatIf : null);
+
+export const percentileOf = (of: AskedAnswer): string => {
+  if (of.kind !== 'polygon') return String(of.design_percentile);
+  const known = Object.keys(of.percentiles.ke_total_J ?? {});
+  return known.includes('95') ? '95' : (known[0] ?? '95');
+};
+
+/// By the standard of [design]; without one the figures as they are.
+function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
+  const { whole, standard, factors } = of;
+  const { needs, needs_at_upper_end: upper } = whole;
+  const [energy, height] = [scaleOf('J'), scaleOf('m')];
+  const by: LineQuantity = factors.of_total_energy ? 'ke_total_J' : 'ke_translational_J';
+  const shown = (key: LineQuantity) => whole.percentiles[key]?.[percentileOf(of)]?.[0] ?? null;
+  const upTo = (scale: Scale, key: 'energy_J' | 'height_m') => (upper ? `up to ${scale.text(upper[key])}` : needs ? 'too few rocks' : '');
+  const figure = (name: string, scale: Scale, key: 'energy_J' | 'height_m', figures: SpreadFigure & LineQuantity): CardFigure => ({
+    name,
+    value: needs ? scale.text(needs[key]) : 'none',
+    sampling: upTo(scale, key),
+    ...rangesOf(whatIf, figures, shown(figures), scale),
+  });
+  const kit = needs?.class === null ? 'no class is enough' : `class ${needs?.class}`;
+  return {
+    key: 'fence',
+    title: needs && standard !== null ? `Fence needed: ${kit}` : 'Fence needed',
+    figures: [figure('energy', energy, 'energy_J', by), figure('height', height, 'height_m', 'height_m')],
+    note: standard === null ? 'No standard is chosen: no factors are applied.' : `${standard}, with its factors; ranges are without them.`,
+  };
+}
+
+export function cardsOf(of: AskedAnswer, whatIf: WhatIfAnswer | null, placeText: string): Card[] {
+  const percentile = percentileOf(of);
+  const found = fitting(whatIf, percentile);
+  const isArea = of.kind === 'polygon';
+  const share = isArea ? of.entering.share : of.whole.share;
+  const percentiles = isArea ? of.percentiles : of.whole.percentiles;
+  const rocks = isArea ? of.entering.rocks : of.whole.rocks;
+  const at = (key: LineQuantity) => percentiles[key]?.[percentile] ?? null;
+  const [energy, height] = [scaleOf('J'), scaleOf('m')];
+  const cards: Card[] = [
+    {
+      key: 'share',
+      title: `${isArea ? 'Enters' : 'Passes'} ${placeText}`,
+      figures: [figureOf('', share && [share.value, share.low, share.high], shareScale, whatIf, 'share')],
+      note: `${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks`,
+    },
+    {
+      key: 'energy',
+      title: `${percentile} % energy there`,
+      figures: [
+        figureOf('translational', at('ke_translational_J'), energy, found, 'ke_translational_J'),
+        figureOf('total', at('ke_total_J'), energy, found, 'ke_total_J'),
+      ],
+      note: '',
+    },
+    {
+      key: 'height',
+      title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`,
+      figures: [figureOf('', at('height_m'), height, found, 'height_m')],
+      note: '',
+    },
+  ];
+  return isArea ? cards : [...cards, fenceOf(of, found)];
+}

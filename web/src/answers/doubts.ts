@@ -1,0 +1,142 @@
+// Why the answers should not be taken as they are, the most serious reason first, each with what to do.
+
+import type { AskedAnswer, Interval, LineAnswer } from '../api/line';
+import type { Summary } from '../api/results';
+import type { Problem } from '../api/types';
+import type { Variation, WhatIfAnswer } from '../api/whatIf';
+import { percentText } from '../askLine/kit';
+import { modelsOf, type SpreadFigure } from '../askLine/spread';
+import { displayOf } from '../state/displayUnits';
+import { numberText } from '../units/numbers';
+import { percentileOf } from './cards';
+import { modelName } from './models';
+
+export type DoubtKind = 'outdated' | 'models' | 'height' | 'ground' | 'left' | 'place' | 'run';
+export interface Doubt {
+  kind: DoubtKind;
+  text: string;
+  /// What to do, empty if the text says it.
+  todo: string;
+}
+
+export interface Known {
+  answer: AskedAnswer | null;
+  whatIf: WhatIfAnswer | null;
+  summary: Summary | null;
+  isOutdated: boolean;
+}
+
+/// An interval without an upper end, because of few rocks, ends at twice the value here.
+const upper = ([value, , high]: Interval) => high ?? 2 * value;
+const lower = ([value, low]: Interval) => low ?? value / 2;
+/// Whether two figures differ by more than their intervals of sampling.
+export const areApart = (a: Interval, b: Interval): boolean => lower(a) > upper(b) || lower(b) > upper(a);
+
+/// What a fence needs, and what passes.
+const compared: readonly (readonly SpreadFigure[])[] = [['height_m', 'ke_translational_J', 'ke_total_J'], ['share']];
+const zero: Interval = [0, 0, 0];
+
+function figureText(by: SpreadFigure, value: number): string {
+  if (by === 'share') return percentText(value);
+  const { unit, per } = displayOf(by === 'height_m' ? 'm' : 'J');
+  return `${numberText(value / per, 3)} ${unit}`;
+}
+const titles: Partial<Record<SpreadFigure, string>> = {
+  height_m: 'height',
+  ke_translational_J: 'translational energy',
+  ke_total_J: 'total energy',
+};
+
+interface Disagreement {
+  by: SpreadFigure;
+  own: number;
+  other: number;
+  model: Variation;
+  factor: number;
+}
+
+/// The figure, of some, in which another model differs most from the project's own; null: none differs by more than its
+/// intervals.
+function worstOf(figures: readonly SpreadFigure[], { base, ...answer }: WhatIfAnswer, shown: (by: SpreadFigure) => number | null): Disagreement | null {
+  const found = modelsOf(answer).flatMap((model) =>
+    figures.flatMap((by): Disagreement[] => {
+      const [own, other] = by === 'share' ? [base.share ?? zero, model.share ?? zero] : [base[by], model[by]];
+      if (!own || !other || !areApart(own, other)) return [];
+      const [small, large] = [Math.min(own[0], other[0]), Math.max(own[0], other[0])];
+      return [{ by, own: shown(by) ?? own[0], other: other[0], model, factor: small > 0 ? large / small : Infinity }];
+    }),
+  );
+  return found.length > 0 ? found.reduce((a, b) => (b.factor > a.factor ? b : a)) : null;
+}
+
+/// As the cards have it: of all rocks of the run.
+const shownIn = (of: AskedAnswer | null) => (by: SpreadFigure) => {
+  if (!of || by === 'energy_J') return null;
+  if (by === 'share') return (of.kind === 'polygon' ? of.entering.share : of.whole.share)?.value ?? null;
+  return (of.kind === 'polygon' ? of : of.whole).percentiles[by]?.[percentileOf(of)]?.[0] ?? null;
+};
+
+function modelDoubt(whatIf: WhatIfAnswer, answer: AskedAnswer | null): Doubt | null {
+  const found = compared.flatMap((figures) => worstOf(figures, whatIf, shownIn(answer)) ?? []);
+  if (found.length === 0) return null;
+  const texts = found.map(({ by, own, other, model }) => {
+    const what = by === 'share' ? 'the share that passes' : `the ${whatIf.percentile} % ${titles[by]}`;
+    return `${what} is ${figureText(by, own)} with ${modelName(whatIf.model)} (this run) and ${figureText(by, other)} with ${modelName(model.model)}`;
+  });
+  return {
+    kind: 'models',
+    text: `Rock models disagree by more than chance: ${texts.join('; ')}.`,
+    todo: 'Choose the model that suits the blocks and the ground, and give the reason.',
+  };
+}
+
+const problemDoubt = (kind: DoubtKind, { what, why, hint, text }: Problem): Doubt => ({
+  kind,
+  text: what ? `${capital(what)}${why && `: ${why}`}.` : text,
+  todo: hint && `${hint}.`,
+});
+const capital = (text: string) => text.slice(0, 1).toUpperCase() + text.slice(1);
+/// "road.toml:31: warning: " of the command line is left out.
+export const warningText = (text: string) => capital(text.replace(/^(?:.*?: )?warning: /, ''));
+
+const nearZero = 0.05; // m above the ground; less than any block
+
+function heightDoubt(of: LineAnswer): Doubt | null {
+  const percentile = percentileOf(of);
+  const height = of.whole.percentiles.height_m?.[percentile]?.[0];
+  const block = of.whole.largest_block_m;
+  if (height === undefined || block === null) return null;
+  if (height >= block && height >= nearZero) return null;
+  return {
+    kind: 'height',
+    text: `The ${percentile} % height is ${figureText('height_m', height)}, ${height < nearZero ? 'next to nothing' : `less than the largest block that crosses, ${figureText('height_m', block)}`}: the rocks arrive rolling or sliding.`,
+    todo: 'A fence must be at least as high as the block. Look at the roughness of the materials.',
+  };
+}
+
+/// From the warnings that the server has for this place.
+const isOfHeight = ({ what }: Problem) => what.includes('largest block');
+const isOfGround = ({ what }: Problem) => what.includes('slid or rolled');
+
+export function doubtsOf({ answer, whatIf, summary, isOutdated }: Known): Doubt[] {
+  const problems = answer?.problems ?? [];
+  const ofHeight = problems.filter(isOfHeight).map((each) => problemDoubt('height', each));
+  const ofGround = problems.filter(isOfGround).map((each) => problemDoubt('ground', each));
+  const others = problems.filter((each) => !isOfHeight(each) && !isOfGround(each)).map((each) => problemDoubt('place', each));
+  const own = answer && answer.kind !== 'polygon' && ofHeight.length === 0 ? heightDoubt(answer) : null;
+  const said = [...ofHeight, ...ofGround, ...others].map(({ text }) => text);
+  const notes = (summary?.notes ?? []).map((note): Doubt => ({ kind: 'left', text: `${capital(note)}.`, todo: 'Extend the terrain, unless it ends behind what is protected.' }));
+  const warnings = (summary?.warnings ?? []).map(warningText).filter((text) => !said.some((one) => text.includes(one.slice(0, 40))));
+  const isOfWays = (text: string) => text.includes('slid or rolled');
+  return [
+    ...(isOutdated ? [{ kind: 'outdated', text: 'These answers are of an earlier version of the project.', todo: 'Compute again.' } as const] : []),
+    ...(whatIf ? [modelDoubt(whatIf, answer) ?? []].flat() : []),
+    ...ofHeight,
+    ...(own ? [own] : []),
+    ...ofGround,
+    ...(ofGround.length > 0 ? [] : warnings.filter(isOfWays).map((text): Doubt => ({ kind: 'ground', text, todo: '' }))),
+    ...notes,
+    ...others,
+    ...warnings.filter((text) => !isOfWays(text)).map((text): Doubt => ({ kind: 'run', text, todo: '' })),
+  ];
+}
