@@ -5,8 +5,8 @@ import { read } from '../help/Document';
 import { resultsOpen } from '../state/panels';
 import type { Doubt } from './doubts';
 
-/// How many are in sight: fewer beside open tables.
-const inSight = () => (resultsOpen.value ? 1 : 2);
+/// How many are in sight.
+const most = 2;
 const whichModel = { document: 'which-model.md', heading: 'Which model?' };
 
 function OneDoubt({ of: { kind, text, todo } }: { of: Doubt }) {
@@ -22,26 +22,38 @@ function OneDoubt({ of: { kind, text, todo } }: { of: Doubt }) {
   );
 }
 
+const List = ({ of }: { of: readonly Doubt[] }) => (
+  <ul>
+    {of.map((doubt) => (
+      <OneDoubt key={doubt.text} of={doubt} />
+    ))}
+  </ul>
+);
+
+/// Beside open tables in brief.
 export function Banner({ of, problems }: { of: readonly Doubt[]; problems: readonly Problem[] }) {
   const all: Doubt[] = [...of, ...problems.map(({ text }): Doubt => ({ kind: 'place', text, todo: '' }))];
   if (all.length === 0) return null;
-  const most = inSight();
+  if (resultsOpen.value)
+    return (
+      <div class="doubts" role="status" aria-label="Doubts">
+        <details class="in-brief">
+          <summary>
+            {all.length > 1 && `${all.length} doubts. `}
+            {all[0]!.text}
+          </summary>
+          <List of={all} />
+        </details>
+      </div>
+    );
   const rest = all.slice(most);
   return (
     <div class="doubts" role="status" aria-label="Doubts">
-      <ul>
-        {all.slice(0, most).map((doubt) => (
-          <OneDoubt key={doubt.text} of={doubt} />
-        ))}
-      </ul>
+      <List of={all.slice(0, most)} />
       {rest.length > 0 && (
         <details>
           <summary>{`${rest.length} more`}</summary>
-          <ul>
-            {rest.map((doubt) => (
-              <OneDoubt key={doubt.text} of={doubt} />
-            ))}
-          </ul>
+          <List of={rest} />
         </details>
       )}
     </div>

@@ -49,7 +49,7 @@ export function NoPlace({ of }: { of: Summary }) {
     <div class="answer-cards">
       <section class="answer-card choose-place" aria-label="Choose a place">
         <h3>Where must rocks not pass?</h3>
-        <p>{is2d ? 'Pick the road, or any place that rocks must not pass.' : 'Draw the road, or any line that rocks must not pass.'}</p>
+        <p class="choose-text">{is2d ? 'Pick the road, or any place that rocks must not pass.' : 'Draw the road, or any line that rocks must not pass.'}</p>
         <div class="choices">
           <button class="button first" onClick={() => drawAsked('line')}>
             {is2d ? 'Pick the place' : 'Draw the line'}

@@ -110,7 +110,7 @@ test('doubts, the most serious first', () => {
   const found = doubtsOf({ answer, whatIf: varied, summary, isOutdated: true });
   expect(found.map(({ kind }) => kind)).toEqual(['outdated', 'models', 'height', 'ground', 'left', 'run']);
   expect(found[1]!.text).toBe('Rock models disagree by more than chance: the 95 % height is 0.4 m with lumped mass (this run) and 4.7 m with sphere; the share that passes is 10 % with lumped mass (this run) and 0 % with shape.');
-  expect(found[2]!.text).toContain('less than the largest block that crosses, 0.5 m');
+  expect(found[2]!.text).toContain('less than the diameter of the largest block that crosses, 0.5 m');
   expect(found[5]!.text).toBe('No seed');
 });
 test('no doubt where models agree, heights are above the block and nothing was warned of', () => {

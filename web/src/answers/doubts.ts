@@ -109,8 +109,8 @@ function heightDoubt(of: LineAnswer): Doubt | null {
   if (height >= block && height >= nearZero) return null;
   return {
     kind: 'height',
-    text: `The ${percentile} % height is ${figureText('height_m', height)}, ${height < nearZero ? 'next to nothing' : `less than the largest block that crosses, ${figureText('height_m', block)}`}: the rocks arrive rolling or sliding.`,
-    todo: 'A fence must be at least as high as the block. Look at the roughness of the materials.',
+    text: `The ${percentile} % height is ${figureText('height_m', height)}, ${height < nearZero ? 'next to nothing: the rocks arrive rolling or sliding' : `less than the diameter of the largest block that crosses, ${figureText('height_m', block)}`}.`,
+    todo: 'A fence must be at least as high as the blocks; if they hardly bounce, look at the roughness of the materials.',
   };
 }
 
