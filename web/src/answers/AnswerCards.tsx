@@ -1,13 +1,14 @@
 // The answers of the shown run, above the view: what passes the chosen place, and how far to trust it.
 
 import type { WhatIfState } from '../api/whatIf';
-import { stop } from '../askLine/whatIf';
+import { refusal, stop } from '../askLine/whatIf';
 import { isOutdated } from '../runs/outdated';
 import { shown } from '../runs/runs';
+import { varies } from '../state/varies';
 import { Banner } from './Banner';
 import { cardsOf } from './cards';
-import { doubtsOf } from './doubts';
-import { setVaries, varies, vary, job } from './job';
+import { doubtsOf, warningText } from './doubts';
+import { job, vary } from './job';
 import { lineAnswer } from './lineAnswer';
 import { NoPlace } from './NoPlace';
 import { OneCard } from './OneCard';
@@ -21,7 +22,7 @@ import './answers.css';
 
 /// What a row says while the job has no answer for it.
 function waitingText(of: WhatIfState | null): string {
-  if (!of) return varies.value ? 'follows' : 'not varied';
+  if (!of) return refusal.value !== null ? 'not possible' : varies.value ? 'follows' : 'not varied';
   if (of.state === 'running') return 'computing…';
   return of.state === 'stopped' ? 'stopped' : 'unknown';
 }
@@ -33,7 +34,7 @@ function JobBar({ of }: { of: WhatIfState | null }) {
       <span class="job-bar" title="The same rocks with other inputs and other rock models, in the background">
         <progress aria-label="Other inputs and rock models" max={Math.max(of.planned, 1)} value={of.done} />
         <span class="faint">inputs and models{left}</span>
-        <button class="button" onClick={() => (setVaries(false), void stop())} title="What is done is kept. From now on they are varied only if you ask for it">
+        <button class="button" onClick={() => void stop()} title="What is done is kept. Another run or another line begins again">
           Stop
         </button>
       </span>
@@ -42,7 +43,7 @@ function JobBar({ of }: { of: WhatIfState | null }) {
   const isWhole = of?.state === 'done' && of.answer?.variations.some(({ model }) => model !== undefined);
   if (isWhole || !place.value || (varies.value && !of)) return null;
   return (
-    <button class="button" onClick={() => (setVaries(true), vary())} title="Runs the same rocks with each input a step lower and higher, and with the other rock models, in the background; from now on after each run">
+    <button class="button" onClick={vary} title="Runs the same rocks with each input a step lower and higher, and with the other rock models, in the background">
       Vary inputs and models
     </button>
   );
@@ -81,7 +82,7 @@ export function AnswerCards() {
               ))}
             </div>
           )}
-          <Banner of={doubtsOf({ answer: found.value, whatIf, summary: summary.value, isOutdated: isOutdated.value })} problems={state?.problems ?? []} />
+          <Banner of={doubtsOf({ answer: found.value, whatIf, summary: summary.value, isOutdated: isOutdated.value })} others={state ? state.problems.map(({ text }) => warningText(text)) : refusal.value !== null ? [`Inputs and rock models cannot be varied: ${refusal.value}`] : []} />
         </>
       )}
     </section>

@@ -7,6 +7,7 @@ import type { Point2 } from '../api/types';
 import type { WhatIfState } from '../api/whatIf';
 import { pointsOf } from '../askLine/askTools';
 import type { Asked } from '../askLine/shape';
+import { sourcePlaces, sourceText } from '../askLine/sources';
 import { file } from '../project/document';
 import { model } from '../project/model';
 import { hasResults, shown } from '../runs/runs';
@@ -22,7 +23,7 @@ import { firstOf } from './firstOf';
 import { PrintedInputs } from './PrintedInputs';
 import { PrintedMoves } from './PrintedMoves';
 
-const [mostCorners, mostDoubts] = [6, 6];
+const [mostCorners, mostDoubts, mostPlaces] = [6, 6, 5];
 
 /// ", 5 m high, 3,000 kJ"
 function heightText(name: string): string {
@@ -48,6 +49,18 @@ function Place({ of, now, asItStands }: { of: AskedAnswer; now: Asked; asItStand
       {model.value?.crs && ` (${model.value.crs})`}
       {asItStands !== null && `. As it stands: ${asItStands}`}.
     </p>
+  );
+}
+
+/// Known while the card of the line is open.
+function Places() {
+  const places = sourcePlaces.value;
+  if (!places || places.length === 0) return null;
+  return (
+    <section>
+      <h3>Where they start</h3>
+      <p>{firstOf(places.map(sourceText), mostPlaces, 'in the card of the line').join('; ')}</p>
+    </section>
   );
 }
 
@@ -147,6 +160,7 @@ export function AnswerSheet({ of, now, summary, whatIf, doubts, asItStands, pict
         {head}
         <PrintedInputs of={summary} />
         {whatIf?.answer && <PrintedMoves of={whatIf.answer} question={whatIf.question} />}
+        <Places />
         <div class="space" />
         {hasResults(run) && <p class="faint">All results, figures and settings: report.html of the run, in {run.folder}.</p>}
         <Foot page={2} />

@@ -1,6 +1,5 @@
 // The doubts about the answers, the most serious ones in sight.
 
-import type { Problem } from '../api/types';
 import { read } from '../help/Document';
 import { resultsOpen } from '../state/panels';
 import type { Doubt } from './doubts';
@@ -31,8 +30,8 @@ const List = ({ of }: { of: readonly Doubt[] }) => (
 );
 
 /// Beside open tables in brief.
-export function Banner({ of, problems }: { of: readonly Doubt[]; problems: readonly Problem[] }) {
-  const all: Doubt[] = [...of, ...problems.map(({ text }): Doubt => ({ kind: 'place', text, todo: '' }))];
+export function Banner({ of, others }: { of: readonly Doubt[]; others: readonly string[] }) {
+  const all: Doubt[] = [...of, ...others.map((text): Doubt => ({ kind: 'place', text, todo: '' }))];
   if (all.length === 0) return null;
   if (resultsOpen.value)
     return (

@@ -83,13 +83,13 @@ test('a range is over the own values and those of the sets, and knows which give
 
 test('four cards, each with sampling, inputs and models', () => {
   const [share, energy, height, fence] = cardsOf(line(0.7), varied, 'Road');
-  expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: '0 to 17.9 %', models: '0 to 12 %' }] });
+  expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: '0 to 17.9 %', models: '0 to 12 % (shape 0 %)' }] });
   expect(share!.figures[0]!.modelsWhy).toBe('lumped mass 10 % (this run), sphere 12 %, shape 0 %');
   expect(energy!.figures.map(({ name, value, inputs }) => [name, value, inputs])).toEqual([
     ['translational', '70 kJ', '70 to 90 kJ'],
     ['total', '90 kJ', '70 to 90 kJ'],
   ]);
-  expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: '0.7 to 4.7 m' });
+  expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: '0.7 to 4.7 m (sphere 4.7 m)' });
   expect(fence).toMatchObject({ title: 'Fence needed: class 1', note: 'UNI 11211-4, with its factors; ranges are without them.' });
   const [, , , bare] = cardsOf({ ...line(0.7), standard: null }, null, 'Road');
   expect(bare).toMatchObject({ title: 'Fence needed', note: 'No standard is chosen: no factors are applied.', figures: [{ inputs: null, models: null }, {}] });

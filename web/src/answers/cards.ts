@@ -2,7 +2,7 @@
 // rock models.
 
 import type { AskedAnswer, Interval, LineAnswer, LineQuantity } from '../api/line';
-import type { WhatIfAnswer } from '../api/whatIf';
+import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { intervalText, percentText } from '../askLine/kit';
 import { inputsOf, modelsOf, rangeOver, type Range, type SpreadFigure } from '../askLine/spread';
 import { nameOf } from '../askLine/tornadoOf';
@@ -49,9 +49,17 @@ export function samplingText([, low, high]: Interval, { text, range }: Scale): s
   return low !== null ? `${text(low)} or more` : high !== null ? `up to ${text(high)}` : 'too few rocks';
 }
 
+/// " (sphere 12 %)": the model that differs most from the run's own; empty if none differs.
+function farthestText(models: readonly Variation[], by: SpreadFigure, own: number | null, { text }: Scale): string {
+  const known = models.flatMap((model) => (model[by] || by === 'share' ? { model, value: model[by]?.[0] ?? 0 } : []));
+  if (own === null || known.length === 0) return '';
+  const { model, value } = known.reduce((a, b) => (Math.abs(b.value - own) > Math.abs(a.value - own) ? b : a));
+  return text(value) === text(own) ? '' : ` (${modelName(model.model)} ${text(value)})`;
+}
+
 const endText = (end: Range['atLow']) => (end ? nameOf(end) : 'the inputs as they are');
 
-function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number | null, scale: Scale): Pick<CardFigure, 'inputs' | 'models' | 'inputsWhy' | 'modelsWhy'> {
+function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number | null, scale: Scale, isAlone: boolean): Pick<CardFigure, 'inputs' | 'models' | 'inputsWhy' | 'modelsWhy'> {
   if (!whatIf) return { inputs: null, models: null, inputsWhy: '', modelsWhy: '' };
   const { base } = whatIf;
   const models = modelsOf(whatIf);
@@ -60,7 +68,7 @@ function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number |
   const each = models.map((model) => `${modelName(model.model)} ${model[by] ? scale.text(model[by][0]) : by === 'share' ? scale.text(0) : 'none crosses'}`);
   return {
     inputs: overInputs && scale.range(overInputs.low, overInputs.high),
-    models: overModels && scale.range(overModels.low, overModels.high),
+    models: overModels && `${scale.range(overModels.low, overModels.high)}${isAlone ? farthestText(models, by, shown, scale) : ''}`,
     inputsWhy: overInputs ? `lowest with ${endText(overInputs.atLow)}, highest with ${endText(overInputs.atHigh)}` : '',
     modelsWhy: overModels ? [`${modelName(whatIf.model)} ${own === undefined ? 'none crosses' : scale.text(own)} (this run)`, ...each].join(', ') : '',
   };
@@ -71,7 +79,7 @@ function figureOf(name: string, value: Interval | null, scale: Scale, whatIf: Wh
     name,
     value: value ? scale.text(value[0]) : 'none',
     sampling: value ? samplingText(value, scale) : '',
-    ...rangesOf(whatIf, by, value?.[0] ?? null, scale),
+    ...rangesOf(whatIf, by, value?.[0] ?? null, scale, name === ''),
   };
 }
 
@@ -96,7 +104,7 @@ function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
     name,
     value: needs ? scale.text(needs[key]) : 'none',
     sampling: upTo(scale, key),
-    ...rangesOf(whatIf, figures, shown(figures), scale),
+    ...rangesOf(whatIf, figures, shown(figures), scale, false),
   });
   const kit = needs?.class === null ? 'no class is enough' : `class ${needs?.class}`;
   return {

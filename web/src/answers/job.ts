@@ -4,14 +4,10 @@ import { computed, effect } from '@preact/signals';
 import { shapeOf } from '../askLine/shape';
 import { begin, knownOf, questionKey, whatIfOf } from '../askLine/whatIf';
 import { hasResults, runs, shown } from '../runs/runs';
-import { kept } from '../state/kept';
-import { owned } from '../state/owned';
+import { varies } from '../state/varies';
 import { shouldBegin } from './jobStep';
 import { lineAnswer } from './lineAnswer';
 import { place } from './place';
-
-/// Whether it begins by itself after a run.
-export const [varies, setVaries] = owned(kept('vary inputs after runs', true));
 
 /// The job of the shown run and the chosen place; null: there is none.
 export const job = computed(() => place.value && whatIfOf(shapeOf(place.value)));

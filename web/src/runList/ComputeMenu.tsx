@@ -5,6 +5,7 @@ import { valueAt } from '../project/document';
 import { model, problems } from '../project/model';
 import { compute } from '../runs/runs';
 import { showPanel } from '../state/panels';
+import { setVaries, varies } from '../state/varies';
 import { focusOnceMade } from '../ui/focus';
 import './runs.css';
 
@@ -47,6 +48,10 @@ function Options({ close }: { close: () => void }) {
         />
       </label>
       <p class="faint">Empty fields use the project's values.</p>
+      <label class="choice" title="After each run, in the background: the ranges of its answers. Otherwise on request">
+        <input type="checkbox" checked={varies.value} onChange={(event) => setVaries(event.currentTarget.checked)} />
+        Then vary inputs and rock models
+      </label>
       <button class="button first" style={{ justifyContent: 'center' }}>
         Compute this run
       </button>
