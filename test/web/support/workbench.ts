@@ -86,13 +86,14 @@ export class Server {
 
 export const test = base.extend<{ answersFirst: boolean; server: Server; workbench: Page }>({
   /// Whether forms and tables fold away when a run ends, and inputs are varied by themselves, as for a new user. Otherwise
-  /// as for one who has brought them back and stopped that.
+  /// as for one who has brought them back, has folded the answers, and has switched the variation off.
   answersFirst: [false, { option: true }],
   context: async ({ context, answersFirst }, use) => {
     if (!answersFirst)
       await context.addInitScript((values) => {
+        if (!location.protocol.startsWith('http')) return; // an empty page has no storage
         for (const [key, value] of values) if (localStorage.getItem(key) === null) localStorage.setItem(key, value);
-      }, [['side stays', 'true'], ['results stay', 'true'], ['vary inputs after runs', 'false']] as const);
+      }, [['side stays', 'true'], ['results stay', 'true'], ['vary inputs after runs', 'false'], ['answers open', 'false']] as const);
     await use(context);
   },
   server: async ({}, use) => {

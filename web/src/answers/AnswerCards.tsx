@@ -54,9 +54,10 @@ export function AnswerCards() {
   const [now, found, state] = [place.value, lineAnswer.value, job.value];
   const whatIf = state?.answer ?? null;
   const isOpen = areOpen.value;
+  const isWaiting = now ? found.value === null && found.error === null : summary.value === null;
   const cards = found.value && now && cardsOf(found.value, whatIf, placeName(now, run.dimension));
   return (
-    <section class={`answers ${isOpen ? '' : 'folded'}`} aria-label="Answers" aria-busy={now !== null && found.value === null && found.error === null}>
+    <section class={`answers ${isOpen ? '' : 'folded'}`} aria-label="Answers" aria-busy={isWaiting}>
       <header>
         <h2>{run.name}</h2>
         <PlaceChoice />
@@ -75,6 +76,13 @@ export function AnswerCards() {
         <>
           {found.error !== null && <p class="problem">{found.error}</p>}
           {!now && summary.value && <NoPlace of={summary.value} />}
+          {isWaiting && (
+            <div class="answer-cards" aria-hidden="true">
+              {['share', 'energy', 'height', 'fence'].map((key) => (
+                <div key={key} class="answer-card waiting" />
+              ))}
+            </div>
+          )}
           {cards && (
             <div class="answer-cards">
               {cards.map((card) => (
