@@ -7,7 +7,7 @@ import { inputsOf, modelsOf } from '../askLine/spread';
 import { nameOf } from '../askLine/tornadoOf';
 import { displayOf } from '../state/displayUnits';
 import { counted, numberText } from '../units/numbers';
-import { modelName } from './models';
+import { modelName, modelText } from './models';
 
 const mostRows = 16;
 
@@ -23,7 +23,7 @@ export function PrintedMoves({ of, question: { material } }: { of: WhatIfAnswer;
   const inputs = inputsOf(of);
   const sets = [
     { name: `${modelName(of.model)}, as in this run`, of: of.base as Figures },
-    ...modelsOf(of).map((each) => ({ name: `rock model ${modelName(each.model)}`, of: each as Figures })),
+    ...modelsOf(of).map((each) => ({ name: `rock model ${modelText(each)}`, of: each as Figures })),
     ...inputs.map((each) => ({ name: nameOf(each), of: each as Figures })),
   ];
   return (

@@ -8,7 +8,7 @@ import { inputsOf, modelsOf, rangeOver, type Range, type SpreadFigure } from '..
 import { nameOf } from '../askLine/tornadoOf';
 import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
-import { modelName } from './models';
+import { modelName, modelText } from './models';
 
 export interface CardFigure {
   /// Empty if the title of the card says it.
@@ -65,7 +65,7 @@ function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number |
   const models = modelsOf(whatIf);
   const [overInputs, overModels] = [rangeOver(base, inputsOf(whatIf), by, shown), rangeOver(base, models, by, shown)];
   const own = shown ?? base[by]?.[0];
-  const each = models.map((model) => `${modelName(model.model)} ${model[by] ? scale.text(model[by][0]) : by === 'share' ? scale.text(0) : 'none crosses'}`);
+  const each = models.map((model) => `${modelText(model)} ${model[by] ? scale.text(model[by][0]) : by === 'share' ? scale.text(0) : 'none crosses'}`);
   return {
     inputs: overInputs && scale.range(overInputs.low, overInputs.high),
     models: overModels && `${scale.range(overModels.low, overModels.high)}${isAlone ? farthestText(models, by, shown, scale) : ''}`,

@@ -92,3 +92,9 @@ test('a change is an edit of the text', () => {
     { name: 'Wood', forest_drag_kg_s: 625, normal_restitution: { mean: 0.33, distribution: 'normal', std_dev: 0.04 } },
   ]);
 });
+
+test('another rock model is an edit of a table that is not repeated', () => {
+  const model = (text: string) => valuesOf(edited(text, editsOf([{ path: ['analysis', 0, 'model'], name: '', before: 'lumped_mass', after: 'rigid_sphere' }])));
+  expect(model('name = "A"\n')).toEqual({ name: 'A', analysis: { model: 'rigid_sphere' } });
+  expect(model('[analysis]\nrotation = false\n')).toEqual({ analysis: { rotation: false, model: 'rigid_sphere' } });
+});

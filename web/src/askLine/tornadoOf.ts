@@ -5,6 +5,7 @@ import { modelFactor, type Change, type Variation, type WhatIfAnswer, type WhatI
 import { measured } from '../units/numbers';
 import type { TornadoBar } from '../figures/tornado';
 import type { Edit } from '../settings/names';
+import { tableOf } from '../settings/declared';
 import { wordText } from '../settings/words';
 import type { Displayed } from '../units/units';
 
@@ -66,6 +67,6 @@ export function changeText(change: Interval | null, { unit, per }: Displayed): s
 /// The changes of a variation as edits of the run's project.
 export const editsOf = (changes: readonly Change[]): Edit[] =>
   changes.map(({ path: [table, row, key], after }) => {
-    const path = [table, row, key] as unknown as Extract<Edit, { set: unknown }>['set'];
+    const path = (tableOf(table)?.repeated === false ? [table, key] : [table, row, key]) as unknown as Extract<Edit, { set: unknown }>['set'];
     return after === null || after === undefined ? { remove: path } : { set: path, value: after as never };
   });

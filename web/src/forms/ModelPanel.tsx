@@ -5,7 +5,6 @@ import { rowsOf } from '../project/document';
 import { choose, chosen } from '../project/chosen';
 import { explainsAll, toggleExplaining } from './fields/explaining';
 import type { Path, TableName } from '../settings/names';
-import { DocumentDialog } from '../help/Document';
 import { DraftNotice } from './DraftNotice';
 import { TableForm } from './fields/TableForm';
 import { Words } from './fields/Words';
@@ -41,7 +40,6 @@ export function ModelPanel() {
       <UnfinishedList />
       <ProblemList folded={exists} />
       {exists ? <FormPage key={path.join('.')} path={path} /> : <Outline />}
-      <DocumentDialog />
     </div>
   );
 }

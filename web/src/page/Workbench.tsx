@@ -20,6 +20,7 @@ import { SectionView } from '../section/SectionView';
 import { takeObserved } from '../calibration/observations';
 import { DropDialog } from '../dropped/DropDialog';
 import { hasRaster, takeDropped } from '../dropped/dropped';
+import { DocumentDialog } from '../help/Document';
 import { ContextMenu } from '../drag/ContextMenu';
 import { Side } from './Side';
 import { TopBar } from './TopBar';
@@ -54,6 +55,7 @@ export function Workbench() {
         {slopePane.value && dimension.value === 2 && <SlopeCard />}
       </main>
       <ContextMenu />
+      <DocumentDialog />
       <DropDialog />
       <SavingDialogs />
     </div>
