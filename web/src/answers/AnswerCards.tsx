@@ -2,12 +2,11 @@
 
 import type { WhatIfState } from '../api/whatIf';
 import { refusal, stop } from '../askLine/whatIf';
-import { isOutdated } from '../runs/outdated';
 import { shown } from '../runs/runs';
 import { varies } from '../state/varies';
 import { Banner } from './Banner';
 import { cardsOf } from './cards';
-import { doubtsOf, warningText } from './doubts';
+import { doubts } from './doubtsNow';
 import { job, vary } from './job';
 import { lineAnswer } from './lineAnswer';
 import { NoPlace } from './NoPlace';
@@ -90,7 +89,7 @@ export function AnswerCards() {
               ))}
             </div>
           )}
-          <Banner of={doubtsOf({ answer: found.value, whatIf, summary: summary.value, isOutdated: isOutdated.value })} others={state ? state.problems.map(({ text }) => warningText(text)) : refusal.value !== null ? [`Inputs and rock models cannot be varied: ${refusal.value}`] : []} />
+          <Banner of={doubts.value} />
         </>
       )}
     </section>

@@ -30,8 +30,7 @@ const List = ({ of }: { of: readonly Doubt[] }) => (
 );
 
 /// Beside open tables in brief.
-export function Banner({ of, others }: { of: readonly Doubt[]; others: readonly string[] }) {
-  const all: Doubt[] = [...of, ...others.map((text): Doubt => ({ kind: 'place', text, todo: '' }))];
+export function Banner({ of: all }: { of: readonly Doubt[] }) {
   if (all.length === 0) return null;
   if (resultsOpen.value)
     return (

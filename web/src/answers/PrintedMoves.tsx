@@ -9,7 +9,7 @@ import { displayOf } from '../state/displayUnits';
 import { counted, numberText } from '../units/numbers';
 import { modelName, modelText } from './models';
 
-const mostRows = 15;
+const mostRows = 13;
 
 const inUnit = (metric: string) => (figure: Interval | null) => (figure ? numberText(figure[0] / displayOf(metric).per, 3) : '–');
 const columns: readonly { title: () => string; text: (of: Figures) => string }[] = [

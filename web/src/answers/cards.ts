@@ -62,13 +62,13 @@ const endText = (end: Range['atLow']) => (end ? nameOf(end) : 'the inputs as the
 function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number | null, scale: Scale, isAlone: boolean): Pick<CardFigure, 'inputs' | 'models' | 'inputsWhy' | 'modelsWhy'> {
   if (!whatIf) return { inputs: null, models: null, inputsWhy: '', modelsWhy: '' };
   const { base } = whatIf;
-  const models = modelsOf(whatIf);
-  const [overInputs, overModels] = [rangeOver(base, inputsOf(whatIf), by, shown), rangeOver(base, models, by, shown)];
+  const [inputs, models] = [inputsOf(whatIf), modelsOf(whatIf)];
+  const [overInputs, overModels] = [rangeOver(base, inputs, by, shown), rangeOver(base, models, by, shown)];
   const own = shown ?? base[by]?.[0];
   const each = models.map((model) => `${modelText(model)} ${model[by] ? scale.text(model[by][0]) : by === 'share' ? scale.text(0) : 'none crosses'}`);
   return {
-    inputs: overInputs && scale.range(overInputs.low, overInputs.high),
-    models: overModels && `${scale.range(overModels.low, overModels.high)}${isAlone ? farthestText(models, by, shown, scale) : ''}`,
+    inputs: overInputs ? scale.range(overInputs.low, overInputs.high) : inputs.length > 0 ? 'none crosses' : null,
+    models: overModels ? `${scale.range(overModels.low, overModels.high)}${isAlone ? farthestText(models, by, shown, scale) : ''}` : models.length > 0 ? 'none crosses' : null,
     inputsWhy: overInputs ? `lowest with ${endText(overInputs.atLow)}, highest with ${endText(overInputs.atHigh)}` : '',
     modelsWhy: overModels ? [`${modelName(whatIf.model)} ${own === undefined ? 'none crosses' : scale.text(own)} (this run)`, ...each].join(', ') : '',
   };
@@ -78,7 +78,7 @@ function figureOf(name: string, value: Interval | null, scale: Scale, whatIf: Wh
   return {
     name,
     value: value ? scale.text(value[0]) : 'none',
-    sampling: value ? samplingText(value, scale) : '',
+    sampling: value ? samplingText(value, scale) : '–',
     ...rangesOf(whatIf, by, value?.[0] ?? null, scale, name === ''),
   };
 }
@@ -99,7 +99,7 @@ function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
   const [energy, height] = [scaleOf('J'), scaleOf('m')];
   const by: LineQuantity = factors.of_total_energy ? 'ke_total_J' : 'ke_translational_J';
   const shown = (key: LineQuantity) => whole.percentiles[key]?.[percentileOf(of)]?.[0] ?? null;
-  const upTo = (scale: Scale, key: 'energy_J' | 'height_m') => (upper ? `up to ${scale.text(upper[key])}` : needs ? 'too few rocks' : '');
+  const upTo = (scale: Scale, key: 'energy_J' | 'height_m') => (upper ? `up to ${scale.text(upper[key])}` : needs ? 'too few rocks' : '–');
   const figure = (name: string, scale: Scale, key: 'energy_J' | 'height_m', figures: SpreadFigure & LineQuantity): CardFigure => ({
     name,
     value: needs ? scale.text(needs[key]) : 'none',

@@ -11,7 +11,7 @@ import { numberText } from '../units/numbers';
 import { percentileOf } from './cards';
 import { modelName } from './models';
 
-export type DoubtKind = 'outdated' | 'models' | 'height' | 'ground' | 'left' | 'place' | 'run';
+export type DoubtKind = 'outdated' | 'models' | 'height' | 'ground' | 'left' | 'place' | 'run' | 'job';
 export interface Doubt {
   kind: DoubtKind;
   text: string;

@@ -3,13 +3,12 @@
 import { render } from 'preact';
 import { asking } from '../api/line';
 import type { Asked } from '../askLine/shape';
-import { isOutdated } from '../runs/outdated';
 import { attempt } from '../state/messages';
 import { model } from '../project/model';
 import { shown } from '../runs/runs';
 import { sheetPng } from '../view/sheet';
 import { AnswerSheet } from './AnswerSheet';
-import { doubtsOf } from './doubts';
+import { doubts } from './doubtsNow';
 import { job } from './job';
 import { lineAnswer } from './lineAnswer';
 import { place, summary } from './place';
@@ -32,7 +31,6 @@ export const printAnswer = () =>
     last?.();
     const [run, now, of, summed, whatIf] = [shown.peek(), place.peek(), lineAnswer.peek().value, summary.peek(), job.peek()];
     if (!run || !now || !of || !summed) return;
-    const doubts = doubtsOf({ answer: of, whatIf: whatIf?.answer ?? null, summary: summed, isOutdated: isOutdated.peek() });
     const [png, own] = await Promise.all([sheetPng(), asItStands(run.id, now)]);
     const picture = png && URL.createObjectURL(png);
     const host = Object.assign(document.createElement('div'), { className: 'answer-sheet' });
@@ -43,7 +41,7 @@ export const printAnswer = () =>
       host.remove();
     });
     document.body.append(host);
-    render(<AnswerSheet of={of} now={now} summary={summed} whatIf={whatIf} doubts={doubts} asItStands={own} picture={picture} />, host);
+    render(<AnswerSheet of={of} now={now} summary={summed} whatIf={whatIf} doubts={doubts.peek()} asItStands={own} picture={picture} />, host);
     await host.querySelector('img')?.decode();
     addEventListener('afterprint', end, { once: true });
     print();

@@ -88,7 +88,8 @@ export function materialsOf(project: Echo): { columns: string[]; rows: { name: s
   const materials = tablesOf(project, 'material');
   const hasEffect = (key: KeyOf<'material'>, row: Echo) =>
     row[key] !== undefined && row[key] !== null && applies(fieldOf('material', key)?.needs ?? [], 'material', row as TomlTable, project as Record<string, TomlValue>);
-  const shown = properties.filter(([key]) => materials.some((row) => hasEffect(key, row)));
+  // A property that is 0 everywhere says nothing.
+  const shown = properties.filter(([key]) => materials.some((row) => hasEffect(key, row) && drawnText(row[key]) !== '0'));
   return {
     columns: shown.map(([, title]) => title),
     rows: materials.map((row) => ({ name: String(row.name), like: typeof row.like === 'string' ? row.like : '', values: shown.map(([key]) => (hasEffect(key, row) ? drawnText(row[key]) : '–')) })),

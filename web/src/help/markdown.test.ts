@@ -62,3 +62,5 @@ test('every equation of the documents is valid', async () => {
   expect(equations.length).toBeGreaterThan(50);
   for (const equation of equations) expect(katex.renderToString(equation, equationOptions(true))).toContain('katex-html');
 });
+
+test('a picture is left out', () => expect(blocksOf('One.\n\n![A view](view.png)\n\nTwo.').map((block) => 'text' in block && block.text)).toEqual(['One.', 'Two.']));

@@ -54,7 +54,8 @@ export function blocksOf(markdown: string): Block[] {
       blocks.push({ kind: 'list', ordered: /^\d/.test(line), items });
     } else {
       const text = take((next) => next.trim() !== '' && !/^(#+ |```|\|)/.test(next) && !item.test(next));
-      blocks.push({ kind: 'paragraph', text: text.map((part) => part.trim()).join(' ') });
+      // Pictures are on the site alone.
+      if (!line.startsWith('![')) blocks.push({ kind: 'paragraph', text: text.map((part) => part.trim()).join(' ') });
     }
   }
   return blocks;
