@@ -34,7 +34,7 @@ async function pictureOfPage(browser, file, { part, style = '', width = 1140, na
   const right = Math.max(...boxes.map((box) => box.x + box.width));
   const bottom = Math.max(...boxes.map((box) => box.y + box.height));
   const clip = { x: left - 8, y: top - 8, width: right - left + 16, height: bottom - top + 16 };
-  await page.screenshot({ path: join(sources, 'docs', name), clip });
+  await page.screenshot({ path: join(sources, 'docs', name), clip, fullPage: true });
   await page.close();
 }
 

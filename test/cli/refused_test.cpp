@@ -192,7 +192,7 @@ TEST(TheProgram, ReportsThatStandardOutputIsFull) {
 TEST(RefusedByTheProgram, AnUnknownCommand) {
   const Workplace place;
   const std::string known =
-                        "(known commands: run, serve, merge, calibrate, check, replay, line, section, what-if, report, "
+                        "(known commands: run, serve, merge, calibrate, check, replay, line, section, what-if, compare, report, "
                         "export, sensitivity, verify, validate, materials, schema, new, manual, completion)",
                     help = "\nSee `talus --help`.\n";
   EXPECT_EQ(said(place, "rnu slope.toml"), "2 there is no command \"rnu\". Did you mean \"run\"?" + help);

@@ -127,7 +127,7 @@ TEST(Schema, SaysWhenSettingsApply) {
   EXPECT_EQ(analysis["rn_mass_scale_kg"]["x-applies-when"],
             Json::parse(R"([[{"key": "scale_rn_by_mass", "is": ["true"]}]])"));
   EXPECT_EQ(analysis["rn_mass_scale_kg"]["x-group"], "Restitution");
-  EXPECT_EQ(analysis["model"]["x-topic"]["heading"], "The laws");
+  EXPECT_EQ(analysis["model"]["x-topic"]["heading"], "Which model?");
 }
 
 TEST(ReferencePage, NamesEverySettingAndItsMeaning) {
