@@ -68,8 +68,7 @@ std::string estimate_text(const std::optional<Estimate>& estimate, double unit, 
 }
 
 std::string share_text(const std::optional<RockShare>& share) {
-  return estimate_text(share ? std::optional(Estimate{share->value, share->low, share->high}) : std::nullopt, percent,
-                       "%");
+  return estimate_text(what_if::estimate_of(share), percent, "%");
 }
 
 }  // namespace talus::cli

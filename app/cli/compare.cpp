@@ -89,8 +89,7 @@ std::optional<Estimate> percentile_of(const what_if::Figures& figures) {
 }
 template <std::optional<RockShare> what_if::Figures::*member>
 std::optional<Estimate> share_in(const what_if::Figures& figures) {
-  const auto& share = figures.*member;
-  return share ? std::optional(Estimate{share->value, share->low, share->high}) : std::nullopt;
+  return what_if::estimate_of(figures.*member);
 }
 
 std::vector<FigureText> figures_of(const what_if::WhatIf& asked) {
@@ -140,7 +139,7 @@ std::vector<std::string> disagreements(const std::vector<Row>& rows, const std::
       if (!least || value->value < least->value) std::tie(least, of_least) = std::tie(value, row.name);
       if (!greatest || value->value > greatest->value) std::tie(greatest, of_greatest) = std::tie(value, row.name);
     }
-    if (!least || !least->high || !greatest->low || *greatest->low <= *least->high) continue;
+    if (!least || !what_if::are_apart(*least, *greatest)) continue;
     texts.push_back(fmt::format("{}: {} {} as {}, {} {} as {}", figure.title, three_digits(least->value / figure.unit),
                                 figure.unit_name, of_least, three_digits(greatest->value / figure.unit),
                                 figure.unit_name, of_greatest));
@@ -169,14 +168,9 @@ void write_results(const std::filesystem::path& folder, const what_if::WhatIf& a
   json.update(json_of(asked, answer));
   json["side_view"] = side_view(asked);
   make_output_folder(folder);
-  const auto write = [&](const char* name, const std::string& text) {
-    OutputFile out(folder / name);
-    out.write(text);
-    out.commit();
-  };
-  write("compare.csv", table_of(asked, answer));
-  write("compare.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-  write("compare.html", models_page(facts.loaded.project.name, json));
+  write_file(folder / "compare.csv", table_of(asked, answer));
+  write_file(folder / "compare.json", json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_file(folder / "compare.html", models_page(facts.loaded.project.name, json));
 }
 
 int compare(const CompareOptions& options) {

@@ -85,13 +85,9 @@ void print_table(const what_if::WhatIf& asked, const what_if::Answer& answer) {
 
 void write_results(const std::filesystem::path& folder, const what_if::WhatIf& asked, const what_if::Answer& answer) {
   make_output_folder(folder);
-  const auto write = [&](const char* name, const std::string& text) {
-    OutputFile out(folder / name);
-    out.write(text);
-    out.commit();
-  };
-  write(what_if::WhatIfRow::file_name, table_of(asked, answer));
-  write("what_if.json", json_of(asked, answer).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  write_file(folder / what_if::WhatIfRow::file_name, table_of(asked, answer));
+  write_file(folder / "what_if.json",
+             json_of(asked, answer).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 int what_if(const WhatIfOptions& options) {

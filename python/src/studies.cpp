@@ -23,7 +23,7 @@ namespace {
 using Path = std::filesystem::path;
 using Progress = std::optional<py::function>;
 
-/// How far the work is, told from its threads.
+/// How far the work is, as its threads report it.
 struct Course {
   std::atomic<std::uint64_t> done{0}, planned{0};
 };

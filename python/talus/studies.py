@@ -125,7 +125,7 @@ def sensitivity(study: str | os.PathLike[str], *, folder: str | os.PathLike[str]
                 progress: Progress | bool | None = None) -> Sensitivity:
     """Finds which inputs of a project its results depend on, as ``talus sensitivity`` does.
 
-    The arguments are those of :func:`talus.calibrate`, but for a study file of a sensitivity study; ``progress`` is told of
+    The arguments are those of :func:`talus.calibrate`, but for a study file of a sensitivity study; ``progress`` is called with the number of
     runs.
     """
     place, warnings = _talus.sensitivity(path_text(study), _folder(folder), thread_count(threads),

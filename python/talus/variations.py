@@ -157,7 +157,7 @@ def what_if(project: Project | Model | str | os.PathLike[str], line: Any = None,
     ``line``, ``barrier``, ``polygon``: one of them, as in :meth:`Results.line` and :meth:`Results.polygon`. ``steps``:
     the factors, and by which share of their value: ``{"mass": 0.5, "roughness": 0.2}``; by default all that the project
     has, by 0.1 or 0.25. ``material``: vary this one alone. ``models``: also the other rock models, with ``steps={}`` they
-    alone; then no place need be given, and the runouts are told.
+    alone; then no place need be given, and the answer has the runouts.
 
     ``within`` [s]: as many rocks as fit into that time;
     ``rocks``: at most so many of each set; by default all, up to 200,000. The rocks have the same draws in all sets.

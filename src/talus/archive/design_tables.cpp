@@ -174,14 +174,9 @@ std::string pair_table(const DesignPlan& plan, const DesignResult& result) {
 }
 
 void write_design_tables(const std::filesystem::path& folder, const DesignPlan& plan, const DesignResult& result) {
-  const auto write = [&](const char* name, const std::string& text) {
-    OutputFile file(folder / name);
-    file.write(text);
-    file.commit();
-  };
-  write(DesignRow::file_name, design_table(plan, result));
-  write(RankingRow::file_name, ranking_table(plan, result));
-  if (!plan.pairs.empty()) write(PairRow::file_name, pair_table(plan, result));
+  write_file(folder / DesignRow::file_name, design_table(plan, result));
+  write_file(folder / RankingRow::file_name, ranking_table(plan, result));
+  if (!plan.pairs.empty()) write_file(folder / PairRow::file_name, pair_table(plan, result));
 }
 
 void remove_design_tables(const std::filesystem::path& folder) {

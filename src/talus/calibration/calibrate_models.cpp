@@ -10,16 +10,6 @@
 
 namespace talus::calibration {
 
-namespace {
-
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
-}  // namespace
-
 std::optional<HeldOutScore> held_out_score(const CalibrationResult& result) {
   HeldOutScore sum;
   double count = 0;
@@ -49,8 +39,8 @@ std::string calibrate_models_into(
   }
   const std::vector<ModelScore> scores = compare_models(held_out, study.seed);
   const std::string table = models_table(models, scores);
-  write_text(folder / "models.csv", table);
-  write_text(folder / "pooled.csv", pooled_table(pooled(held_out, scores)));
+  write_file(folder / "models.csv", table);
+  write_file(folder / "pooled.csv", pooled_table(pooled(held_out, scores)));
   return table;
 }
 

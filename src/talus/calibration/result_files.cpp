@@ -30,12 +30,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void write_file(const std::filesystem::path& path, const std::string& text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 /// A site's name as the name of a file.
 std::string file_name(const std::string& name) {
   std::string safe = name;

@@ -130,6 +130,12 @@ void OutputFile::commit() {
   synchronise_folder_of(path_);
 }
 
+void write_file(const std::filesystem::path& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+}
+
 std::filesystem::path place_of_file(const std::filesystem::path& path) {
   if (const auto why = not_an_ordinary_file(path)) {
     throw BadInput(Problem{.file = path.string(),

@@ -52,6 +52,9 @@ class OutputFile : public TextSink {
   bool keeps_part_ = false;
 };
 
+/// Writes a whole file as OutputFile does.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
 /// The place to write a single file that the user names, to be checked before the work: the file itself, or the target
 /// of a link, which is then not replaced. Throws BadInput if it is a folder, a device or the like.
 [[nodiscard]] std::filesystem::path place_of_file(const std::filesystem::path& path);

@@ -93,11 +93,11 @@ class View {
 
   template <class Surface>
   [[nodiscard]] Json ground_of(const Surface& surface) const {
-    constexpr std::size_t most_points = 800;
+    constexpr std::size_t max_points = 800;
     const std::array<Vec2, 2> ends{plane_.origin + plane_.first * plane_.along,
                                    plane_.origin + plane_.last * plane_.along};
     Json line = Json::array();
-    for (const SectionPoint& point : section_along(surface, std::span<const Vec2>(ends), most_points))
+    for (const SectionPoint& point : section_along(surface, std::span<const Vec2>(ends), max_points))
       line.push_back(point.z ? place(plane_.first + point.distance, *point.z) : Json());
     return line;
   }
@@ -113,10 +113,10 @@ class View {
 
 /// At most 201 of ascending values, the first and the last among them.
 Json even_ranks(const std::vector<double>& ascending) {
-  constexpr std::size_t most = 200;
+  constexpr std::size_t max_parts = 200;
   Json few = Json::array();
   if (ascending.empty()) return few;
-  const std::size_t parts = std::clamp<std::size_t>(ascending.size() - 1, 1, most);
+  const std::size_t parts = std::clamp<std::size_t>(ascending.size() - 1, 1, max_parts);
   for (std::size_t k = 0; k <= parts; ++k) few.push_back(rounded(ascending[k * (ascending.size() - 1) / parts]));
   return few;
 }

@@ -115,6 +115,16 @@ struct RockEnd {
   bool has_left = false;
 };
 
+std::optional<Estimate> estimate_of(const std::optional<RockShare>& share) {
+  return share ? std::optional(Estimate{share->value, share->low, share->high}) : std::nullopt;
+}
+
+bool are_apart(const Estimate& one, const Estimate& other) {
+  const auto low = [](const Estimate& of) { return of.low.value_or(of.value / 2); };
+  const auto high = [](const Estimate& of) { return of.high.value_or(2 * of.value); };
+  return low(one) > high(other) || low(other) > high(one);
+}
+
 struct WhatIf::Parts {
   const Model& model;
   RockModel rock_model{};

@@ -13,11 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::optional<Estimate> estimate_of(const std::optional<RockShare>& share) {
-  if (!share) return std::nullopt;
-  return Estimate{share->value, share->low, share->high};
-}
-
 std::optional<double> value_of(const std::optional<Estimate>& estimate) {
   return estimate ? std::optional(estimate->value) : std::nullopt;
 }

@@ -14,12 +14,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void write_text(const std::filesystem::path& file, const std::string& text) {
-  OutputFile out(file);
-  out.write(text);
-  out.commit();
-}
-
 EffectRow row_of(const Study& study, const Input& input, const ResultEffects& result, const Effect& effect) {
   EffectRow row{.site = study.sites[result.site].name,
                 .result = study.results[result.result].name,
@@ -154,10 +148,10 @@ std::vector<ColumnText> RunRow::family_texts() {
 
 void write_results(const std::filesystem::path& folder, const Study& study, const Analysis& analysis) {
   const Json summary = summary_of(study, analysis);
-  write_text(folder / EffectRow::file_name, effects_text(study, analysis));
-  write_text(folder / RunRow::file_name, runs_text(analysis));
-  write_text(folder / "report.html", study_page(study.name, summary));
-  write_text(folder / "summary.json", summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(folder / EffectRow::file_name, effects_text(study, analysis));
+  write_file(folder / RunRow::file_name, runs_text(analysis));
+  write_file(folder / "report.html", study_page(study.name, summary));
+  write_file(folder / "summary.json", summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 std::filesystem::path usual_folder(const Study& study) { return study.file.parent_path() / study.name; }

@@ -141,7 +141,7 @@ export function AnswerSheet({ of, now, summary, whatIf, doubts, asItStands, pict
         {doubts.length > 0 && (
           <div class="doubts">
             <ul>
-              {firstOf(doubts.map(({ text, todo }) => `${text} ${todo}`), mostDoubts, 'in the results').map((text) => (
+              {firstOf(doubts.map(({ text, advice }) => `${text} ${advice}`), mostDoubts, 'in the results').map((text) => (
                 <li key={text}>{text}</li>
               ))}
             </ul>

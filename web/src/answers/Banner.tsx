@@ -8,10 +8,10 @@ import type { Doubt } from './doubts';
 const most = 2;
 const whichModel = { document: 'which-model.md', heading: 'Which model?' };
 
-function OneDoubt({ of: { kind, text, todo } }: { of: Doubt }) {
+function OneDoubt({ of: { kind, text, advice } }: { of: Doubt }) {
   return (
     <li>
-      {text} {todo}
+      {text} {advice}
       {kind === 'models' && (
         <button class="button plain" onClick={() => read(whichModel)}>
           Which model?

@@ -16,7 +16,7 @@ export interface Doubt {
   kind: DoubtKind;
   text: string;
   /// What to do, empty if the text says it.
-  todo: string;
+  advice: string;
 }
 
 export interface Known {
@@ -86,14 +86,14 @@ function modelDoubt(whatIf: WhatIfAnswer, answer: AskedAnswer | null): Doubt | n
   return {
     kind: 'models',
     text: `Rock models disagree by more than chance: ${texts.join('; ')}.`,
-    todo: 'Choose the model that suits the blocks and the ground, and give the reason.',
+    advice: 'Choose the model that suits the blocks and the ground, and give the reason.',
   };
 }
 
 const problemDoubt = (kind: DoubtKind, { what, why, hint, text }: Problem): Doubt => ({
   kind,
   text: what ? `${capital(what)}${why && `: ${why}`}.` : text,
-  todo: hint && `${hint}.`,
+  advice: hint && `${hint}.`,
 });
 const capital = (text: string) => text.slice(0, 1).toUpperCase() + text.slice(1);
 /// "road.toml:31: warning: " of the command line is left out.
@@ -110,7 +110,7 @@ function heightDoubt(of: LineAnswer): Doubt | null {
   return {
     kind: 'height',
     text: `The ${percentile} % height is ${figureText('height_m', height)}, ${height < nearZero ? 'next to nothing: the rocks arrive rolling or sliding' : `less than the diameter of the largest block that crosses, ${figureText('height_m', block)}`}.`,
-    todo: 'A fence must be at least as high as the blocks; if they hardly bounce, look at the roughness of the materials.',
+    advice: 'A fence must be at least as high as the blocks; if they hardly bounce, look at the roughness of the materials.',
   };
 }
 
@@ -125,18 +125,18 @@ export function doubtsOf({ answer, whatIf, summary, isOutdated }: Known): Doubt[
   const others = problems.filter((each) => !isOfHeight(each) && !isOfGround(each)).map((each) => problemDoubt('place', each));
   const own = answer && answer.kind !== 'polygon' && ofHeight.length === 0 ? heightDoubt(answer) : null;
   const said = [...ofHeight, ...ofGround, ...others].map(({ text }) => text);
-  const notes = (summary?.notes ?? []).map((note): Doubt => ({ kind: 'left', text: `${capital(note)}.`, todo: 'Extend the terrain, unless it ends behind what is protected.' }));
+  const notes = (summary?.notes ?? []).map((note): Doubt => ({ kind: 'left', text: `${capital(note)}.`, advice: 'Extend the terrain, unless it ends behind what is protected.' }));
   const warnings = (summary?.warnings ?? []).map(warningText).filter((text) => !said.some((one) => text.includes(one.slice(0, 40))));
   const isOfWays = (text: string) => text.includes('slid or rolled');
   return [
-    ...(isOutdated ? [{ kind: 'outdated', text: 'These answers are of an earlier version of the project.', todo: 'Compute again.' } as const] : []),
+    ...(isOutdated ? [{ kind: 'outdated', text: 'These answers are of an earlier version of the project.', advice: 'Compute again.' } as const] : []),
     ...(whatIf ? [modelDoubt(whatIf, answer) ?? []].flat() : []),
     ...ofHeight,
     ...(own ? [own] : []),
     ...ofGround,
-    ...(ofGround.length > 0 ? [] : warnings.filter(isOfWays).map((text): Doubt => ({ kind: 'ground', text, todo: '' }))),
+    ...(ofGround.length > 0 ? [] : warnings.filter(isOfWays).map((text): Doubt => ({ kind: 'ground', text, advice: '' }))),
     ...notes,
     ...others,
-    ...warnings.filter((text) => !isOfWays(text)).map((text): Doubt => ({ kind: 'run', text, todo: '' })),
+    ...warnings.filter((text) => !isOfWays(text)).map((text): Doubt => ({ kind: 'run', text, advice: '' })),
   ];
 }

@@ -13,6 +13,6 @@ export const doubts = computed<Doubt[]>(() => {
   const ofJob = state ? state.problems.map(({ text }) => warningText(text)) : refusal.value !== null ? [`Inputs and rock models cannot be varied: ${refusal.value}`] : [];
   return [
     ...doubtsOf({ answer: lineAnswer.value.value, whatIf: state?.answer ?? null, summary: summary.value, isOutdated: isOutdated.value }),
-    ...ofJob.map((text): Doubt => ({ kind: 'job', text, todo: '' })),
+    ...ofJob.map((text): Doubt => ({ kind: 'job', text, advice: '' })),
   ];
 });
