@@ -341,7 +341,7 @@ TEST(ReportInBrowser, DrawsMaps) {
       '; ' + mapValues(runs[0].maps[1]).map((value) => number(value, 4)).join(' ') + ' kJ';
   )"),
             "Maximum bounce height|Maximum total kinetic energy|Maximum velocity|Reach probability; "
-            "y|Total kinetic energy: maximum of all rocks [kJ]|30|100|300|1,000|3,000|Scale 1:75 on A4, cells of 5 m, "
+            "y|Total kinetic energy, maximum [kJ]|30|100|300|1,000|3,000|Scale 1:75 on A4, cells of 5 m, "
             "up to 8 kJ|Coordinate system unknown; image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
 }
 

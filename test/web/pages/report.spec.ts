@@ -96,7 +96,7 @@ test('the reader changes the units of a report; coordinates of a terrain stay', 
   await expect(units).toBeFocused();
   expect((await axesOf(page, 'Plan with trajectories')).labels).toEqual(['x [m]', 'y [m]']);
   expect((await axesOf(page, 'Section with trajectories')).labels).toEqual(['Distance along the mean direction of travel [ft]', 'z [ft]']);
-  await expect(page.locator('#maps')).toContainText('Velocity: 95 % of the rocks in the cell have less [ft/s]');
+  await expect(page.locator('#maps')).toContainText('Velocity, 95 % [ft/s]');
   await expect(page.locator('figcaption', { hasText: 'Contours every' }).first()).toContainText(/Contours every [125]0* ft/);
 
   await units.selectOption('metric');

@@ -7,8 +7,8 @@ const quantitiesOfMaps = [
   {name: 'velocity', unitInName: 'm_s', title: 'velocity', of: 'Velocity', unit: 'm/s'},
 ];
 const partsOfMaps = [
-  {part: 'p95', title: (what) => `95 % ${what}`, of: '95 % of the rocks in the cell have less'},
-  {part: 'max', title: (what) => `Maximum ${what}`, of: 'maximum of all rocks'},
+  {part: 'p95', title: (what) => `95 % ${what}`, of: '95 %'},
+  {part: 'max', title: (what) => `Maximum ${what}`, of: 'maximum'},
 ];
 
 // A map, and the ends of its range between ensembles, by name.
@@ -22,7 +22,7 @@ function withEnds(nameOf, kind) {
 // In the order of the page.
 const mapKinds = Object.fromEntries([
   ...quantitiesOfMaps.flatMap(({name, unitInName, title, of, unit}) => partsOfMaps.flatMap((part) =>
-    withEnds((end) => `${name}_${part.part}_${end}${unitInName}`, {title: part.title(title), quantity: `${of}: ${part.of}`, unit}))),
+    withEnds((end) => `${name}_${part.part}_${end}${unitInName}`, {title: part.title(title), quantity: `${of}, ${part.of}`, unit}))),
   ...withEnds((end) => `reach_share${end && `_${end.slice(0, -1)}`}`, {title: 'Reach probability', quantity: 'Share of all rocks that reach the cell', unit: 'share'}),
   ['reach_share_parameter_part', {title: 'Part of the parameters in the reach probability', quantity: 'Part of its variance between ensembles', unit: 'share'}],
 ]);
@@ -126,5 +126,5 @@ function mapFigures(parent) {
     const scale = mapScale(shown.map(({map}) => map));
     for (const {run, map} of shown) mapFigure(box, run, map, scale, view);
   }
-  element(parent, 'p', 'Cells that rocks reached are coloured by class. Values under the pointer are rounded; the GeoTIFFs in the folder maps are exact. Lines are barriers and collectors; rings are the releases of the trajectories shown. The relief is lit from the upper left.', {class: 'quiet'});
+  element(parent, 'p', 'Cells that rocks reached are coloured by class; of a map of 95 %, 95 % of the rocks in a cell have less. Values under the pointer are rounded; the GeoTIFFs in the folder maps are exact. Lines are barriers and collectors; rings are the releases of the trajectories shown. The relief is lit from the upper left.', {class: 'quiet'});
 }
