@@ -23,11 +23,13 @@ std::string_view path_of(std::string_view setting) { return setting.substr(0, se
 
 /// Refuses settings of which the terrain was read.
 void check_terrain_stays(const std::vector<std::string>& settings) {
-  constexpr std::array of_terrain{"terrain", "ground", "area"};
+  constexpr std::array of_terrain{"terrain", "ground", "area", "forest"};
   Problems problems;
   for (const std::string& setting : settings) {
     const auto path = project::parts_of(path_of(setting));
-    if (!path || std::ranges::find(of_terrain, path->front()) == of_terrain.end()) continue;
+    if (project::needs_no_terrain(path_of(setting)) || !path ||
+        std::ranges::find(of_terrain, path->front()) == of_terrain.end())
+      continue;
     problems.add({.where = std::string(path_of(setting)),
                   .what = "cannot be changed in a prepared model",
                   .why = "its terrain is read once",

@@ -13,7 +13,7 @@ import numpy as np
 
 from .distributions import _Distribution, Empirical
 
-__all__ = ["Table", "Analysis", "Sampling", "Terrain", "Material", "Ground", "Area", "Shape", "Seeder", "Barrier", "Collector", "Kit", "Design", "Output", "Report", "Layer"]
+__all__ = ["Table", "Analysis", "Sampling", "Terrain", "Material", "Ground", "Area", "Forest", "Shape", "Seeder", "Barrier", "Collector", "Kit", "Design", "Output", "Report", "Layer"]
 
 Real = Union[float, "np.floating[Any]", "np.integer[Any]"]
 Property = Union[Real, _Distribution, Empirical, Mapping[str, Any]]
@@ -417,6 +417,49 @@ class Area(Table):
     name: str | None = None
     material: str | None = None
     polygon: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+
+
+@dataclass(kw_only=True)
+class Forest(Table):
+    """[[forest]]: 3D: a forest over the ground, drawn on plan or from a file; any number of entries. The ground below
+    keeps its material, whose own forest it replaces. Where forests overlap, the last one applies.
+
+    name: Name in messages and in the names of materials in results (`Scree, in forest 1`); must be unique. Without
+    it: `forest N`, numbered from 1.
+
+    density: Density of the forest: the drag is 250 kg/s for `open`, 500 kg/s for `medium`, 750 kg/s for `dense`;
+    `none` is a clearing. Without it: required without `drag_kg_s`. Excludes drag_kg_s.
+
+    drag_kg_s: b, the drag force on a rock among the trees, divided by its velocity. Unit: kg/s. Range: more than 0,
+    at most 1e+12. Without it: given by `density`. Excludes density.
+
+    height_m: Effective height of the forest: it slows rocks whose centre is less than this above the ground. Unit:
+    m. Range: more than 0, at most 10000. Without it: required, except for a clearing.
+
+    polygon: Three or more corners [x, y] on plan, in terrain coordinates. A cell or triangle of the terrain belongs
+    to the forest if its centre does. Unit: m. Without it: given by `polygons`. Excludes polygons.
+
+    polygons: A file of polygons (GeoPackage, Shapefile, GeoJSON, ...), in any coordinate system. The path is
+    relative to the project file. Without it: given by `polygon`. Excludes polygon.
+
+    layer: Layer of the file of polygons. Without it: the file's only layer.
+
+    attribute: Attribute of the polygons that tells which of them are this forest. Without it: all polygons of the
+    file are this forest.
+
+    values: Values of that attribute, for example `["spruce", "mixed"]`. Without it: all polygons of the file are
+    this forest.
+    """
+
+    name: str | None = None
+    density: Literal["none", "open", "medium", "dense"] | None = None
+    drag_kg_s: Real | None = None
+    height_m: Real | None = None
+    polygon: Sequence[Sequence[Real] | np.ndarray[Any, Any]] | np.ndarray[Any, Any] | None = None
+    polygons: File | None = None
+    layer: str | None = None
+    attribute: str | None = None
+    values: Sequence[str] | np.ndarray[Any, Any] | None = None
 
 
 @dataclass(kw_only=True)

@@ -109,6 +109,23 @@ TEST(Factors, ReplaceTheWordOfAForest) {
   EXPECT_DOUBLE_EQ(more.changes[1].after->get<double>(), 600);
 }
 
+TEST(Factors, MoveTheDragOfForestsOverTheGround) {
+  const std::string wide = replaced(slope, "[terrain]\n", "[terrain]\nwidth_m = 40\n");
+  const std::string text = replaced(wide, "position = [1, 0]", "position = [1, 0, 0]") +
+                           "[[forest]]\nname = \"Spruce\"\ndensity = \"open\"\nheight_m = 9\n"
+                           "polygon = [[0, -9], [40, -9], [40, 9]]\n";
+  Problems warnings;
+  const FactorChoice more{.steps = std::vector<Step>{{"forest_drag", 0.2}}};
+  const auto variations = variations_of(read(text), more, "--step", warnings);
+  ASSERT_EQ(variations.size(), 2u);
+  EXPECT_EQ(changes_text(variations[1]), "Wood medium to 600; Spruce open to 300");
+  EXPECT_DOUBLE_EQ(variations[1].project.forests[0].drag(), 300);
+  EXPECT_EQ(path_of(variations[1].changes.back()), "forest.0.drag_kg_s");
+  // Of one material alone the forests that lie over it are no part.
+  const auto of_wood = variations_of(read(text), {.steps = more.steps, .material = "Wood"}, "--step", warnings);
+  EXPECT_EQ(changes_text(of_wood[1]), "Wood medium to 600");
+}
+
 /// A step of the mass is one of the third power of a diameter; a distribution is scaled as a whole.
 TEST(Factors, ScaleSizesAsMasses) {
   Problems warnings;

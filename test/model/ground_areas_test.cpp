@@ -58,7 +58,7 @@ const Case cases[] = {
      "= 0 to 9, y = 0 to 9)"},
     {"BetweenCentres", "[[area]]\nmaterial = \"Scree\"\npolygon = [[0, 0], [2, 0], [0, 2]]\n",
      "slope.toml:10: warning: area \"area 1\": has no effect (its polygon contains the centre of no triangle of the "
-     "terrain). A triangle has the material at its centre: draw the polygon around that"},
+     "terrain). A triangle counts by its centre: draw the polygon around that"},
     {"InASection", "[[area]]\nmaterial = \"Scree\"\npolygon = [[0, 0], [2, 0], [0, 2]]\n",
      "slope.toml:10: area 1: an area is given in 2D (a section has segments). Use ground.segments, with one name for "
      "each segment",
@@ -67,13 +67,6 @@ const Case cases[] = {
 
 INSTANTIATE_TEST_SUITE_P(All, Areas, testing::ValuesIn(cases),
                          [](const auto& given) { return std::string(given.param.name); });
-
-Model model_without_warnings(const std::string& text) {
-  Problems warnings;
-  Model model = model_of(text, warnings);
-  EXPECT_EQ(warnings.text(), "");
-  return model;
-}
 
 TEST(AreasOfAMesh, ALaterAreaOverridesEarlierOnesAndListedTriangles) {
   const std::string terrain =
@@ -177,7 +170,7 @@ TEST_F(AreasOfARaster, AnAreaOnlyOverHolesHasNoEffect) {
                                west + 170, south + 20, west + 260, south + 90)));
   EXPECT_EQ(warnings(),
             "slope.toml:15: warning: area \"area 1\": has no effect (its polygon contains the centre of no cell of the "
-            "terrain). A cell has the material at its centre: draw the polygon around that");
+            "terrain). A cell counts by its centre: draw the polygon around that");
 }
 
 #endif

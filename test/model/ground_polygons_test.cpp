@@ -297,7 +297,7 @@ TEST_F(GroundPolygons, TenThousandPolygonsAndHalfAMillionTriangles) {
   project.ground.polygons = "ground.gpkg";
   project.ground.attribute = "kind";
   Problems problems, warnings;
-  const talus::Ground ground = build_ground(project, std::vector<talus::Material>(2), terrain, problems, warnings);
+  const talus::Ground ground = build_ground(project, terrain, problems, warnings);
   EXPECT_EQ(problems.text(), "");
   EXPECT_EQ(warnings.text(), "");
   for (std::uint32_t k = 0; k < terrain.facet_centres.size(); ++k) {

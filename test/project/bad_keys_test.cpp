@@ -62,7 +62,8 @@ rocks = 11)"}},
      {{"rocks = 10",
        R"(rocks = 10
 height_m = 2)"}},
-     "slope.toml:25: seeder \"Crest\": unknown key \"height_m\". It belongs to [[barrier]]"},
+     "slope.toml:25: seeder \"Crest\": unknown key \"height_m\". It belongs to [[forest]], [[barrier]] and "
+     "[[collector]]"},
     {"UnknownKeyLikeNoOther",
      {{"gravity_m_s2 = 9.81", "wind = 3"}},
      "slope.toml:4: [analysis]: unknown key \"wind\" (expected one of laws, model, rotation, gravity_m_s2, sliding, "
@@ -78,11 +79,11 @@ gravity_m_s2 = 9.81)",
        R"([weather]
 wind = 3)"}},
      "slope.toml:3: unknown table [weather] (expected one of name, analysis, sampling, terrain, material, ground, "
-     "area, shape, seeder, barrier, collector, kit, design, output, report or layer)"},
+     "area, forest, shape, seeder, barrier, collector, kit, design, output, report or layer)"},
     {"UnknownKeyBeforeTheFirstTable",
      {{R"(name = "Slope")", R"(titel = "Slope")"}},
      "slope.toml:1: unknown key \"titel\" (expected one of name, analysis, sampling, terrain, material, ground, area, "
-     "shape, seeder, barrier, collector, kit, design, output, report or layer)"},
+     "forest, shape, seeder, barrier, collector, kit, design, output, report or layer)"},
     {"TableOnceInsteadOfList",
      {{"[[barrier]]", "[barrier]"}},
      "slope.toml:27: [barrier] is a single table (there may be several; expected [[barrier]])"},

@@ -308,6 +308,18 @@ values = { Fels = "Rock", "Schutt, grob" = "Scree" }
 name = "fan"
 material = "Scree"
 polygon = [[0, 0], [5, 0], [5, 5.5]]
+[[forest]]
+name = "spruce"
+density = "dense"
+height_m = 22.5
+polygon = [[0, 0], [5, 0], [5, 5.5]]
+[[forest]]
+drag_kg_s = 333
+height_m = 12
+polygons = "stands.gpkg"
+layer = "2024"
+attribute = "species"
+values = ["beech", "oak"]
 [[seeder]]
 type = "line"
 source = "north face"

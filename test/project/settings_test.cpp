@@ -146,10 +146,10 @@ struct IsNumber {
 // Values beyond any real case are refused, so that no result overflows.
 TEST(Settings, AllNumbersHaveLimits) {
   const std::set<std::string> without_need{
-      "sampling.seed",        "ground.triangles",     "terrain.triangles",  // whole numbers, or checked as places
-      "terrain.vertices",     "terrain.polylines",    "barrier.line",        "collector.line",
-      "area.polygon",         "seeder.polygon",       "shape.polygon",       "distribution.mean",
-      "distribution.std_dev", "distribution.rel_min", "distribution.rel_max"};
+      "sampling.seed",     "ground.triangles",     "terrain.triangles",  // whole numbers, or checked as places
+      "terrain.vertices",  "terrain.polylines",    "barrier.line",         "collector.line",
+      "area.polygon",      "forest.polygon",       "seeder.polygon",       "shape.polygon",
+      "distribution.mean", "distribution.std_dev", "distribution.rel_min", "distribution.rel_max"};
   std::set<std::string> without;
   const auto check = [&](const Table& table) {
     Project blank;

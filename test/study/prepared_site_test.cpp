@@ -95,13 +95,13 @@ TEST(SettingNumber, RefusesWhatCannotBeVaried) {
             "study.toml:3: \"material.Scree.normal_restitutoin\" is no setting ([[material]] has no key "
             "normal_restitutoin). Did you mean normal_restitution?");
   EXPECT_EQ(refusal_of("terrain.width_m"),
-            "study.toml:3: \"terrain.width_m\" cannot be varied (a study varies numbers of [[material]] and "
-            "[analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b of [[shape]], and capacity_kJ of "
-            "[[barrier]])");
+            "study.toml:3: \"terrain.width_m\" cannot be varied (a study varies numbers of [[material]], "
+            "[[forest]] and [analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b of [[shape]], and "
+            "capacity_kJ of [[barrier]])");
   EXPECT_EQ(refusal_of("analysis.max_steps"),
-            "study.toml:3: \"analysis.max_steps\" cannot be varied (a study varies numbers of [[material]] and "
-            "[analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b of [[shape]], and capacity_kJ of "
-            "[[barrier]])");
+            "study.toml:3: \"analysis.max_steps\" cannot be varied (a study varies numbers of [[material]], "
+            "[[forest]] and [analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b of [[shape]], and "
+            "capacity_kJ of [[barrier]])");
   EXPECT_EQ(refusal_of("seeder.0.volume_m3"),
             "study.toml:3: \"seeder.0.volume_m3\" is not given in the project (a study varies numbers that are). Give "
             "it a value there");

@@ -44,6 +44,14 @@ namespace talus::testing_tools {
   return model_of(text, warnings);
 }
 
+/// The model of a project about which there is nothing to warn of.
+[[nodiscard]] inline Model model_without_warnings(std::string_view text) {
+  Problems warnings;
+  Model model = model_of(text, warnings);
+  EXPECT_EQ(warnings.text(), "");
+  return model;
+}
+
 /// Builds the model of a project and returns the warnings; or, if it is refused, the errors.
 [[nodiscard]] inline std::string problems_of_model(std::string_view text) {
   Problems warnings;

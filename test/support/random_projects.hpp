@@ -120,6 +120,12 @@ class RandomProject {
         add("forest_drag_kg_s = {}\nforest_height_m = {}", dice_.magnitude(10, 1e5), dice_.between(1, 20));
     }
     add("[ground]\ndefault = \"M0\"");
+    if (!is_2d_ && dice_.chance(0.1)) add_forest();
+  }
+  void add_forest() {
+    const double x = origin_x_ + inside(), y = origin_y_ + inside(), across = size_ * dice_.between(0.1, 1);
+    add("[[forest]]\ndrag_kg_s = {}\nheight_m = {}", dice_.magnitude(10, 1e5), dice_.between(1, 20));
+    add("polygon = [[{0}, {1}], [{2}, {1}], [{2}, {3}]]", x, y, x + across, y + across);
   }
 
   /// A place on plan, well inside.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,20 +33,31 @@ struct FrictionRise {
   }
 };
 
+/// A forest that is laid over the ground, and what lies below it.
+struct LaidForest {
+  std::uint32_t material;  // the number of the same ground without it
+  std::uint32_t forest;    // its number in the project
+};
+
 struct Material {
   std::string name;
-  Sampler normal_restitution;      // Rn, 0 to 1
-  Sampler tangential_restitution;  // Rt, 0 to 1
-  Sampler friction_angle;          // phi [rad], lumped mass
-  RoughGround roughness;           // the faces that stand on a facet
-  Sampler dynamic_friction;        // mu, rigid sphere
-  Sampler rolling_friction;        // mu_r, rigid sphere
-  double forest_drag = 0;          // b of the force -b v in its forest [kg/s]; 0: no forest
-  double forest_height = 0;        // height above the ground below which the forest brakes [m]
-  double ground_drag = 0;          // drag on a sliding or rolling rock, over mass and velocity [1/s]
-  FrictionRise friction_rise;      // rocks with a shape
+  Sampler normal_restitution;             // Rn, 0 to 1
+  Sampler tangential_restitution;         // Rt, 0 to 1
+  Sampler friction_angle;                 // phi [rad], lumped mass
+  RoughGround roughness;                  // the faces that stand on a facet
+  Sampler dynamic_friction;               // mu, rigid sphere
+  Sampler rolling_friction;               // mu_r, rigid sphere
+  double forest_drag = 0;                 // b of the force -b v in its forest [kg/s]; 0: no forest
+  double forest_height = 0;               // height above the ground below which the forest brakes [m]
+  double ground_drag = 0;                 // drag on a sliding or rolling rock, over mass and velocity [1/s]
+  FrictionRise friction_rise;             // rocks with a shape
+  std::optional<LaidForest> laid_forest;  // the forest is not the material's own
 
   [[nodiscard]] bool has_forest() const { return forest_drag > 0 && forest_height > 0; }
+  /// The material whose ground it is: another one below a laid forest. `own` is its number.
+  [[nodiscard]] MaterialId ground_of(MaterialId own) const {
+    return laid_forest ? MaterialId{laid_forest->material} : own;
+  }
 };
 
 /// The materials, and where they are.
@@ -96,7 +108,7 @@ class Ground {
 enum class MaterialSampling { per_impact, per_rock };
 
 /// Draws the ground's properties for one contact. Per impact, every contact draws new ones; per rock, a rock has the
-/// same properties at all contacts with the same material.
+/// same properties at all contacts with the same material, within a forest that is laid over it and outside.
 class GroundDraw {
  public:
   GroundDraw(const Draws& draws, MaterialSampling sampling, MaterialId material, std::uint32_t contact)

@@ -76,6 +76,17 @@ class Varying {
     }
   }
 
+  void forest(std::size_t row) {
+    project::ForestArea& forest = variation_.project.forests[row];
+    if (kind_.key != "forest_drag" || forest.drag() == 0) return;
+    forest.drag_kg_s = number(forest.drag(), "forest", "drag_kg_s");
+    if (forest.density != Forest::none) {
+      forest.density = Forest::none;
+      changed("forest", row, "density");
+    }
+    changed("forest", row, "drag_kg_s");
+  }
+
   void seeder(std::size_t row) {
     if (kind_.key != "mass") return;
     std::optional<project::RockSize>& size = variation_.project.seeders[row].size;
@@ -125,7 +136,9 @@ class Varying {
       if (written && *written == "none") written.reset();
       return written;
     };
-    const std::string& name = table == "material" ? before_.materials[row].name : before_.seeders[row].name;
+    const std::string& name = table == "material" ? before_.materials[row].name
+                              : table == "forest" ? before_.forests[row].name
+                                                  : before_.seeders[row].name;
     variation_.changes.push_back(
         {std::string(table), std::string(key), row, name, value(before), value(variation_.project)});
   }
@@ -142,6 +155,7 @@ Varying varied(const Project& project, std::size_t kind, double factor, const st
   Varying varying(project, kind, factor);
   for (std::size_t row = 0; row < project.materials.size(); ++row)
     if (material.empty() || project.materials[row].name == material) varying.material(row);
+  for (std::size_t row = 0; row < project.forests.size() && material.empty(); ++row) varying.forest(row);
   for (std::size_t row = 0; row < project.seeders.size(); ++row) varying.seeder(row);
   return varying;
 }
@@ -269,7 +283,7 @@ std::string changes_text(const Variation& variation) {
   std::string text;
   std::optional<Json> forest;  // the word that a drag replaces
   for (const Change& change : variation.changes) {
-    if (change.key == "forest") {
+    if (change.key == "forest" || change.key == "density") {
       forest = change.before;
       continue;
     }

@@ -10,6 +10,8 @@
 #include "talus/import/class_raster.hpp"
 #include "talus/import/filler_values.hpp"
 #include "talus/model/ground_areas.hpp"
+#include "talus/model/ground_forests.hpp"
+#include "talus/model/ground_materials.hpp"
 #include "talus/model/ground_parts.hpp"
 #include "talus/model/ground_polygons.hpp"
 
@@ -189,27 +191,32 @@ std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terra
 
 }  // namespace
 
-talus::Ground build_ground(const Project& project, std::vector<talus::Material> materials, const BuiltTerrain& terrain,
-                           Problems& problems, Problems& warnings) {
+talus::Ground build_ground(const Project& project, const BuiltTerrain& terrain, Problems& problems,
+                           Problems& warnings) {
   constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // the last number means none
   const Ground& ground = project.ground;
   const bool is_gis = !ground.raster.empty() || !ground.polygons.empty();
   const bool is_listed = !ground.segments.empty() || !ground.triangles.empty();
   const MaterialId standard{*project.number_of_material(ground.default_material)};
-  if (!is_gis && project.areas.empty()) {
+  if (!is_gis && project.areas.empty() && project.forests.empty()) {
+    std::vector<talus::Material> materials = materials_of(project, {});
     if (!is_listed) return talus::Ground(std::move(materials), standard);
     return talus::Ground(std::move(materials), listed(project, terrain, problems));
   }
 
-  if (materials.size() > most_materials) {
-    const std::string_view what = !ground.raster.empty() ? "raster" : is_gis ? "polygons" : "an area";
-    problems.add(
-        about_ground(project, fmt::format("{} is given with {} materials", what, materials.size()),
-                     fmt::format("a ground {} has at most {}", is_gis ? "from a file" : "with areas", most_materials)));
+  if (project.materials.size() > most_materials) {
+    const std::string_view what = !ground.raster.empty()   ? "raster"
+                                  : is_gis                 ? "polygons"
+                                  : !project.areas.empty() ? "an area"
+                                                           : "a forest";
+    const std::string_view which = is_gis ? "from a file" : !project.areas.empty() ? "with areas" : "with forests";
+    problems.add(about_ground(project, fmt::format("{} is given with {} materials", what, project.materials.size()),
+                              fmt::format("a ground {} has at most {}", which, most_materials)));
     return {};
   }
   try {
     std::vector<std::uint8_t> of_part;
+    const GroundParts parts(terrain);
     if (is_gis) {
       of_part = from_gis(project, terrain, problems, warnings);
     } else if (is_listed) {
@@ -217,11 +224,13 @@ talus::Ground build_ground(const Project& project, std::vector<talus::Material> 
         of_part.push_back(static_cast<std::uint8_t>(id.index));
       }
     } else {
-      of_part.assign(GroundParts(terrain).count(), static_cast<std::uint8_t>(standard.index));
+      of_part.assign(parts.count(), static_cast<std::uint8_t>(standard.index));
     }
     if (problems.has_errors()) return {};
-    paint_areas(project, terrain, of_part, warnings);
-    return talus::Ground(std::move(materials), std::move(of_part));
+    paint_areas(project, parts, of_part, warnings);
+    std::vector<LaidForest> laid;
+    if (!project.forests.empty()) laid = lay_forests(project, parts, of_part, warnings);
+    return talus::Ground(materials_of(project, laid), std::move(of_part));
   } catch (const BadInput& bad) {
     problems.append(bad.problems());
     return {};

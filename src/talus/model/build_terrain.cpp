@@ -172,7 +172,8 @@ BuiltTerrain mesh_terrain(GivenMesh given, const Project& project, Problems& war
   for (const std::uint32_t original : mesh.original) part_of_facet.push_back(original / per_part);
   built.part_of_facet = std::move(part_of_facet);
 
-  if (!project.ground.raster.empty() || !project.ground.polygons.empty() || !project.areas.empty()) {
+  if (!project.ground.raster.empty() || !project.ground.polygons.empty() || !project.areas.empty() ||
+      !project.forests.empty()) {
     for (const auto& [a, b, c] : mesh.triangles) {
       const Vec3 centre = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3;
       built.facet_centres.emplace_back(centre.x(), centre.y());

@@ -111,7 +111,7 @@ void put_samples(ByteWriter& out, const Properties&... properties) {
 // All members are named here, so that a new one does not compile until it is decided whether it has a sample.
 void put(ByteWriter& out, const talus::Material& material) {
   const auto& [name, rn, rt, friction_angle, roughness, dynamic_friction, rolling_friction, forest_drag, forest_height,
-               ground_drag, friction_rise] = material;
+               ground_drag, friction_rise, laid_forest] = material;
   put_samples(out, rn, rt, friction_angle, roughness, dynamic_friction, rolling_friction);
 }
 

@@ -1,9 +1,12 @@
 #pragma once
 // The parts of a terrain, each with its own material, and their selection by polygons on plan.
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
+#include "talus/core/problems.hpp"
 #include "talus/meshing/plan_polygon.hpp"
 #include "talus/meshing/point_buckets.hpp"
 #include "talus/model/build_terrain.hpp"
@@ -25,6 +28,7 @@ class GroundParts {
     }
   }
 
+  [[nodiscard]] const BuiltTerrain& terrain() const { return terrain_; }
   [[nodiscard]] std::size_t count() const { return raster_ ? raster_->cell_count() : terrain_.facet_centres.size(); }
   [[nodiscard]] const char* name() const { return raster_ ? "cells" : "triangles"; }
   /// The area on plan [m2]; for facets, only if the terrain has facet areas.
@@ -63,5 +67,12 @@ class GroundParts {
   PlanGrid grid_;
   std::optional<PointBuckets> buckets_;
 };
+
+/// A polygon of a project, in the user's coordinates.
+[[nodiscard]] PlanPolygon plan_polygon(std::span<const std::array<double, 2>> corners);
+
+/// A warning that polygons within this rectangle contain the centre of no part, and why, in the place that `about`
+/// names.
+[[nodiscard]] Problem about_no_effect(Problem about, const GroundParts& parts, const Vec2& low, const Vec2& high);
 
 }  // namespace talus::project

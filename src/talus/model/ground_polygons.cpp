@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "talus/core/nearest.hpp"
-#include "talus/files/data_table.hpp"
 #include "talus/import/vector_file.hpp"
+#include "talus/model/attribute_value.hpp"
 #include "talus/model/ground_parts.hpp"
 
 namespace talus::project {
@@ -66,14 +66,13 @@ class Assignment {
     warnings_.add(std::move(problem));
   }
   [[nodiscard]] std::string file() const { return fmt::format("polygons \"{}\"", project_.ground.polygons.string()); }
-  /// The entry of `values` for a value of the attribute. Numbers are compared as such: a file may write 2 as 2.000.
+  /// The entry of `values` for a value of the attribute.
   [[nodiscard]] auto entry_of(const std::string& value) const {
     const auto& values = project_.ground.values;
     const auto same = values.find(value);
-    const auto number = layer_.are_numbers[0] ? number_in_cell(value, false) : std::nullopt;
-    if (same != values.end() || !number) return same;
-    return std::find_if(values.begin(), values.end(),
-                        [&](const auto& entry) { return number_in_cell(entry.first, false) == number; });
+    if (same != values.end()) return same;
+    return std::ranges::find_if(
+        values, [&](const auto& entry) { return is_same_value(value, entry.first, layer_.are_numbers[0]); });
   }
 
   /// Finds the material of each feature. Throws BadInput if one has none.

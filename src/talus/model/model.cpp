@@ -13,6 +13,7 @@
 #include "talus/model/build_terrain.hpp"
 #include "talus/model/check_releases.hpp"
 #include "talus/model/drawn.hpp"
+#include "talus/model/ground_materials.hpp"
 #include "talus/model/samples.hpp"
 #include "talus/project/named_files.hpp"
 #include "talus/project/varied_section.hpp"
@@ -20,30 +21,6 @@
 namespace talus::project {
 
 namespace {
-
-talus::Material material_of(const Material& m, const Analysis& a) {
-  talus::Material material;
-  material.name = m.name;
-  material.normal_restitution = sampler_of("normal_restitution", m.normal_restitution);
-  material.tangential_restitution = sampler_of("tangential_restitution", m.tangential_restitution);
-  material.friction_angle = sampler_of("friction_angle_deg", m.friction_angle_deg, radians);
-  material.roughness = RoughGround(sampler_of("roughness_deg", m.roughness_deg, radians), m.roughness_spacing_m,
-                                   a.has_heights_of_roughness() ? m.roughness_amplitude_m : 0);
-  material.dynamic_friction = sampler_of("dynamic_friction", m.dynamic_friction);
-  material.rolling_friction = sampler_of("rolling_friction", m.rolling_friction);
-  material.forest_drag = m.forest_drag();
-  material.forest_height = m.forest_height_m.value_or(0);
-  material.ground_drag = m.ground_drag_per_s;
-  if (m.max_friction && m.friction_rise_per_m && m.friction_decay_per_s)
-    material.friction_rise = {*m.max_friction, *m.friction_rise_per_m, *m.friction_decay_per_s};
-  return material;
-}
-
-std::vector<talus::Material> materials_of(const Project& project) {
-  std::vector<talus::Material> materials;
-  for (const Material& material : project.materials) materials.push_back(material_of(material, project.analysis));
-  return materials;
-}
 
 ImpactLaw impact_law_of(const Analysis& a) {
   if (has_extent(a.model)) return RigidSphereImpact{a.tangential_crsp_damping, a.rolling_resistance_in_impacts};
@@ -108,10 +85,9 @@ class Builder {
   }
 
   Model build(const BuiltTerrain& terrain) {
-    model_.ground =
-        locating_problems(project_, "[ground]", problems_, warnings_, [&](Problems& problems, Problems& warnings) {
-          return build_ground(project_, materials_of(project_), terrain, problems, warnings);
-        });
+    model_.ground = locating_problems(
+        project_, "[ground]", problems_, warnings_,
+        [&](Problems& problems, Problems& warnings) { return build_ground(project_, terrain, problems, warnings); });
     model_.parts = parts_as_given(project_, terrain);
     model_.surface = terrain.surface;
     model_.varying = terrain.varying;
@@ -234,7 +210,10 @@ void set_shapes(const Project& project, const Seeder& given, talus::Seeder& seed
 }  // namespace
 
 void set_properties(const Project& project, Model& model) {
-  model.ground.set_materials(materials_of(project));
+  std::vector<LaidForest> laid;
+  for (const talus::Material& material : model.ground.materials())
+    if (material.laid_forest) laid.push_back(*material.laid_forest);
+  model.ground.set_materials(materials_of(project, laid));
   model.laws = laws_of(project);
   for (const Seeder& given : project.seeders) {
     for (talus::Seeder& seeder : model.seeders) {

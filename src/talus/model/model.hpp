@@ -15,7 +15,7 @@ namespace talus::project {
 /// The terrain of a checked project, for several models on it. Throws BadInput.
 [[nodiscard]] BuiltTerrain read_terrain(const Project& project, Problems& warnings);
 /// The model of a project with this terrain, which it shares with all other models on it: as build_model(), for
-/// projects that agree in [terrain], [ground] and [[area]].
+/// projects that agree in [terrain], [ground], [[area]] and the places of [[forest]].
 [[nodiscard]] Model build_model(const Project& project, const BuiltTerrain& terrain, Problems& warnings);
 
 /// Gives a model that was built from a project of the same terrain, places and names the materials, the laws, the

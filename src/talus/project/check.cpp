@@ -57,6 +57,7 @@ class Rules {
                   table("ground"),
                   table("terrain"),
                   rows("area"),
+                  rows("forest"),
                   is_2d(document_.root()),
                   [&](const toml::table* of, std::string_view key) { return accepted(of, key); },
                   [&](const Spot& at, std::string where, std::string what, std::string why, std::string hint) {
@@ -64,7 +65,7 @@ class Rules {
                   }}
           .check();
     }
-    check_areas();
+    check_areas_and_forests();
     check_shapes();
     check_seeders();
     check_chance();
@@ -194,10 +195,12 @@ class Rules {
            std::all_of(list.begin(), list.end(), [&](const toml::table* row) { return accepted(row, "name"); });
   }
 
-  void check_areas() {
-    std::vector<std::string_view> names;
-    for (const Area& area : project_.areas) names.push_back(area.name);
-    check_unique("areas", rows("area"), names);
+  void check_areas_and_forests() {
+    std::vector<std::string_view> areas, forests;
+    for (const Area& area : project_.areas) areas.push_back(area.name);
+    for (const ForestArea& forest : project_.forests) forests.push_back(forest.name);
+    check_unique("areas", rows("area"), areas);
+    check_unique("forests", rows("forest"), forests);
   }
 
   void check_shapes() {

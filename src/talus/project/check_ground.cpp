@@ -23,6 +23,7 @@ void GroundRules::check() const {
   check_raster();
   check_polygons();
   check_areas();
+  check_forests();
 }
 
 void GroundRules::check_default() const {
@@ -71,7 +72,7 @@ void GroundRules::check_triangles(Node triangles) const {
 void GroundRules::check_raster() const {
   const Node raster = accepted(row, "raster"), classes = accepted(row, "classes");
   if (raster) {
-    check_file("raster", raster, project.ground.raster);
+    check_file("[ground]", "raster", raster, project.ground.raster);
     if (!row->contains("classes")) {
       refuse({raster, row, "classes"}, "classes is missing", "the materials of its classes are not given",
              fmt::format("Write classes = {{ 1 = \"{}\" }}, with one entry for each class",
@@ -85,7 +86,7 @@ void GroundRules::check_raster() const {
 void GroundRules::check_polygons() const {
   const Node polygons = accepted(row, "polygons");
   if (!polygons) return;
-  check_file("polygons", polygons, project.ground.polygons);
+  check_file("[ground]", "polygons", polygons, project.ground.polygons);
   if (!row->contains("attribute")) {
     refuse({polygons, row, "attribute"}, "attribute is missing", "the materials of the polygons are not given",
            "Write attribute = \"...\"; ogrinfo -so lists the attributes");
@@ -107,10 +108,49 @@ void GroundRules::check_areas() const {
   }
 }
 
-void GroundRules::check_file(std::string_view key, Node node, const std::filesystem::path& file) const {
+void GroundRules::check_forests() const {
+  for (std::size_t i = 0; i < forests.size() && i < project.forests.size(); ++i) {
+    if (!forests[i]) continue;
+    const std::string where = name_of_row(table("forest"), *forests[i], i);
+    if (is_2d == true) {
+      report({forests[i]}, where, "a [[forest]] is given in 2D", "it is drawn on plan",
+             "Give the materials of the section a forest, with forest and forest_height_m");
+    } else {
+      check_forest(project.forests[i], *forests[i], where);
+    }
+  }
+}
+
+void GroundRules::check_forest(const ForestArea& forest, const toml::table& given, const std::string& where) const {
+  const auto missing = [&](std::string what, std::string why, std::string hint) {
+    report({&given}, where, std::move(what), std::move(why), std::move(hint));
+  };
+  if (!given.contains("polygon") && !given.contains("polygons")) {
+    missing("polygon is missing", "nothing says where the forest stands",
+            "Give polygon = [[x, y], ...], or polygons = a file of them");
+  }
+  const bool is_clearing = given.contains("density") && forest.density == Forest::none;
+  if (!given.contains("density") && !given.contains("drag_kg_s")) {
+    missing("density is missing", "nothing says how much the forest slows rocks",
+            "Write density = \"open\", \"medium\" or \"dense\", or give drag_kg_s");
+  }
+  if (!is_clearing && !given.contains("height_m")) {
+    missing("height_m is missing", "a forest slows rocks only up to its effective height",
+            "Give the height above the ground up to which trunks and branches slow rocks");
+  }
+  if (given.contains("attribute") && !given.contains("values")) {
+    report({given.get("attribute"), &given, "values"}, where, "values is missing",
+           "attribute tells which polygons are this forest by its values",
+           "Write values = [\"...\"], or leave out attribute for all polygons of the file");
+  }
+  if (const Node polygons = accepted(&given, "polygons")) check_file(where, "polygons", polygons, forest.polygons);
+}
+
+void GroundRules::check_file(const std::string& where, std::string_view key, Node node,
+                             const std::filesystem::path& file) const {
   if (is_on("section")) return;  // reported as having no effect
   if (const std::string why = why_unreadable(project, file); !why.empty()) {
-    refuse(node, fmt::format("{} is {}", key, quoted(*node)), why, "The path is relative to the project file");
+    report(node, where, fmt::format("{} is {}", key, quoted(*node)), why, "The path is relative to the project file");
   }
 }
 

@@ -17,7 +17,7 @@ namespace talus::project {
 namespace {
 
 /// Settings that a prepared site takes from the numbers alone.
-constexpr std::array tables_of_numbers{"material", "analysis", "seeder", "shape", "barrier"};
+constexpr std::array tables_of_numbers{"material", "forest", "analysis", "seeder", "shape", "barrier"};
 constexpr std::array fixed_settings{"seeder.rocks",
                                     "seeder.rocks_per_cell",
                                     "seeder.cell_m",
@@ -34,9 +34,11 @@ constexpr std::array fixed_settings{"seeder.rocks",
                                     "barrier.normal_restitution",
                                     "barrier.tangential_restitution",
                                     "analysis.energy_datum_m"};
+/// Of [[forest]], all but its place.
+constexpr std::array<std::string_view, 3> of_forests{"density", "drag_kg_s", "height_m"};
 constexpr const char* allowed =
-    "a study varies numbers of [[material]] and [analysis], sizes and velocities of [[seeder]], b_over_a and c_over_b "
-    "of [[shape]], and capacity_kJ of [[barrier]]";
+    "a study varies numbers of [[material]], [[forest]] and [analysis], sizes and velocities of [[seeder]], b_over_a "
+    "and c_over_b of [[shape]], and capacity_kJ of [[barrier]]";
 
 /// The number in a member, or the distribution around it; both null if it is another kind of member or is not set.
 struct Place {
@@ -127,6 +129,7 @@ bool needs_no_terrain(std::string_view path) {
       std::ranges::find(fixed_settings, fmt::format("{}.{}", owner.key, setting->key)) != fixed_settings.end())
     return false;
   if (owner.key == "material") return setting->key != "name";
+  if (owner.key == "forest") return std::ranges::find(of_forests, setting->key) != of_forests.end();
   if (owner.key == "analysis") return true;
   Project blank;  // of seeders and barriers: sizes, velocities and capacities
   return place_of(setting->slot(owner.add(blank))).is_number;

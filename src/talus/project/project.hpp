@@ -120,6 +120,23 @@ struct Area {
   int line = 0;                                // in the project file, for later messages
 };
 
+/// [[forest]]: a forest over the ground; 3D only.
+struct ForestArea {
+  std::string name;               // default: "forest N"
+  Forest density = Forest::none;  // or drag_kg_s; neither: a clearing
+  std::optional<double> drag_kg_s;
+  std::optional<double> height_m;              // needed if there is a drag
+  std::vector<std::array<double, 2>> polygon;  // on plan; or those of a file:
+  std::filesystem::path polygons;              // as written in the project's file, relative to it
+  std::string layer;                           // of that file
+  std::string attribute;                       // of its polygons; empty: all polygons belong to the forest
+  std::vector<std::string> values;             // of that attribute: those that belong to the forest
+  int line = 0;                                // in the project file, for later messages
+
+  /// b, as given or by its density [kg/s]; 0: a clearing.
+  [[nodiscard]] double drag() const { return drag_kg_s.value_or(talus::forest_drag(density)); }
+};
+
 /// [[barrier]] and [[collector]]
 struct Barrier {
   std::string name;
@@ -257,6 +274,7 @@ struct Project {
   std::vector<Material> materials;
   Ground ground;
   std::vector<Area> areas;
+  std::vector<ForestArea> forests;
   std::vector<Shape> shapes;
   std::vector<Seeder> seeders;
   std::vector<Barrier> barriers;  // collectors too

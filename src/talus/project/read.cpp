@@ -22,6 +22,7 @@ namespace {
 
 void note_line(Row row, int line) {
   if (auto* area = row.if_is<Area>()) area->line = line;
+  if (auto* forest = row.if_is<ForestArea>()) forest->line = line;
   if (auto* shape = row.if_is<Shape>()) shape->line = line;
   if (auto* seeder = row.if_is<Seeder>()) seeder->line = line;
   if (auto* barrier = row.if_is<Barrier>()) barrier->source_line = line;
@@ -46,6 +47,7 @@ void complete(Project& project) {
     project.output.raster_cell_m = project.terrain.raster.file.empty() ? std::optional(1.0) : std::nullopt;
   }
   for (std::size_t i = 0; i < project.areas.size(); ++i) name_unnamed(project.areas[i], "area", i);
+  for (std::size_t i = 0; i < project.forests.size(); ++i) name_unnamed(project.forests[i], "forest", i);
   for (std::size_t i = 0; i < project.seeders.size(); ++i) {
     Seeder& seeder = project.seeders[i];
     name_unnamed(seeder, "seeder", i);

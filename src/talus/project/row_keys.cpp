@@ -75,9 +75,12 @@ void RowKeys::refuse_unknown(const std::string& lead) const {
     } else if (const auto near = nearest(name, known)) {
       problem.hint = fmt::format("Did you mean \"{}\"?", *near);
     } else {
-      const auto home = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.find(name); });
-      if (home != tables.end() && !home->key.empty()) {
-        problem.hint = fmt::format("It belongs to {}", home->heading());
+      std::vector<std::string> homes;
+      for (const Table& other : tables)
+        if (!other.key.empty() && other.find(name)) homes.push_back(other.heading());
+      if (!homes.empty()) {
+        problem.hint = fmt::format("It belongs to {}",
+                                   plain_list(std::vector<std::string_view>(homes.begin(), homes.end()), " and "));
       } else {
         problem.why = fmt::format("expected one of {}", plain_list(known, " or "));
       }

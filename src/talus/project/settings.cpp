@@ -102,10 +102,10 @@ std::string Table::heading() const { return fmt::format(fmt::runtime(repeated ? 
 
 const std::vector<Table>& tables() {
   using namespace declared;
-  static const std::vector<Table> list{head_table(),     analysis_table(), sampling_table(),  terrain_table(),
-                                       material_table(), ground_table(),   area_table(),      shape_table(),
-                                       seeder_table(),   barrier_table(),  collector_table(), kit_table(),
-                                       design_table(),   output_table(),   report_table(),    layer_table()};
+  static const std::vector<Table> list{
+      head_table(), analysis_table(), sampling_table(), terrain_table(), material_table(), ground_table(),
+      area_table(), forest_table(),   shape_table(),    seeder_table(),  barrier_table(),  collector_table(),
+      kit_table(),  design_table(),   output_table(),   report_table(),  layer_table()};
   return list;
 }
 

@@ -122,7 +122,8 @@ class MovingRock : public RockState {
   }
   /// Draws the ground's properties for a new contact.
   [[nodiscard]] GroundDraw draw_at(FacetId facet) {
-    return GroundDraw(draws_, laws.material_sampling, material_at(facet), contacts++);
+    const MaterialId material = material_at(facet);
+    return GroundDraw(draws_, laws.material_sampling, ground[material].ground_of(material), contacts++);
   }
   /// The way along the ground to the next bump, if it stays as it is on this facet [m]; infinite on smooth ground.
   [[nodiscard]] double way_to_bump(FacetId facet) {

@@ -155,6 +155,28 @@ export const schema = {
       },
       "minItems": 0,
     },
+    "forest": {
+      "type": "array",
+      "items": {
+        "type": "object",
+        "description": "3D: a forest over the ground, drawn on plan or from a file; any number of entries. The ground below keeps its material, whose own forest it replaces. Where forests overlap, the last one applies.",
+        "properties": {
+          "name": {"type":"string","minLength":1,"description":"Name in messages and in the names of materials in results (`Scree, in forest 1`); must be unique.","x-without-it":"`forest N`, numbered from 1","x-source":"Talus"},
+          "density": {"enum":["none","open","medium","dense"],"description":"Density of the forest: the drag is 250 kg/s for `open`, 500 kg/s for `medium`, 750 kg/s for `dense`; `none` is a clearing.","x-without-it":"required without `drag_kg_s`","x-excludes":["drag_kg_s"],"x-source":"the densities: RocFall; the drags: as quoted for RAMMS::ROCKFALL, see docs/laws.md"},
+          "drag_kg_s": {"type":"number","exclusiveMinimum":0.0,"maximum":1000000000000.0,"description":"b, the drag force on a rock among the trees, divided by its velocity.","x-unit":"kg/s","x-without-it":"given by `density`","x-excludes":["density"],"x-source":"RocFall, after Leine et al. 2014 and Bartelt et al. 2016 (RAMMS::ROCKFALL)"},
+          "height_m": {"type":"number","exclusiveMinimum":0.0,"maximum":10000.0,"description":"Effective height of the forest: it slows rocks whose centre is less than this above the ground.","x-unit":"m","x-without-it":"required, except for a clearing","x-source":"RocFall, after Leine et al. 2014"},
+          "polygon": {"type":"array","items":{"type":"array","items":{"type":"number"},"minItems":2,"maxItems":2},"minItems":3,"description":"Three or more corners [x, y] on plan, in terrain coordinates. A cell or triangle of the terrain belongs to the forest if its centre does.","x-unit":"m","x-without-it":"given by `polygons`","x-excludes":["polygons"],"x-source":"Talus"},
+          "polygons": {"type":"string","minLength":1,"x-file":true,"description":"A file of polygons (GeoPackage, Shapefile, GeoJSON, ...), in any coordinate system. The path is relative to the project file.","x-without-it":"given by `polygon`","x-excludes":["polygon"],"x-source":"Talus"},
+          "layer": {"type":"string","minLength":1,"description":"Layer of the file of polygons.","x-without-it":"the file's only layer","x-applies-when":[[{"key":"polygons","given":true}]],"x-source":"Talus"},
+          "attribute": {"type":"string","minLength":1,"description":"Attribute of the polygons that tells which of them are this forest.","x-without-it":"all polygons of the file are this forest","x-applies-when":[[{"key":"polygons","given":true}],[{"key":"values","given":true}]],"x-source":"Talus"},
+          "values": {"type":"array","items":{"type":"string","minLength":1},"minItems":1,"description":"Values of that attribute, for example `[\"spruce\", \"mixed\"]`.","x-without-it":"all polygons of the file are this forest","x-applies-when":[[{"key":"attribute","given":true}]],"x-source":"Talus"},
+        },
+        "additionalProperties": false,
+        "x-choices": [[["polygon"],["polygons"]],[["density"],["drag_kg_s"]]],
+        "x-topic": {"document":"laws.md","heading":"Forest"},
+      },
+      "minItems": 0,
+    },
     "shape": {
       "type": "array",
       "items": {

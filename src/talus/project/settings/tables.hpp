@@ -12,6 +12,7 @@ Table terrain_table();
 Table material_table();
 Table ground_table();
 Table area_table();
+Table forest_table();
 Table shape_table();
 Table seeder_table();
 Table barrier_table();
