@@ -75,25 +75,25 @@ class Describer {
     return list;
   }
 
-  /// Outlines on the ground: a line per side, without the sides beyond the terrain.
   [[nodiscard]] Json areas() const {
-    const Vec2 origin = model_.frame.origin.xy();
     Json list = Json::array();
     for (std::size_t k = 0; k < project_.areas.size(); ++k) {
       const project::Area& area = project_.areas[k];
-      Json sides = Json::array();
-      for (std::size_t i = 0; i < area.polygon.size(); ++i) {
-        const auto &from = area.polygon[i], &to = area.polygon[(i + 1) % area.polygon.size()];
-        Json side = Json::array();
-        for (const Vec3& p : on_ground(Vec2(from[0], from[1]) - origin, Vec2(to[0], to[1]) - origin)) {
-          side.push_back(place(p));
-        }
-        if (!side.empty()) sides.push_back(std::move(side));
-      }
       list.push_back({{"name", area.name},
                       {"path", fmt::format("area.{}", k)},
                       {"material", *project_.number_of_material(area.material)},
-                      {"sides", std::move(sides)}});
+                      {"sides", sides(area.polygon)}});
+    }
+    return list;
+  }
+
+  /// Those that are drawn on plan, not those of files.
+  [[nodiscard]] Json forests() const {
+    Json list = Json::array();
+    for (std::size_t k = 0; k < project_.forests.size(); ++k) {
+      const project::ForestArea& forest = project_.forests[k];
+      if (forest.polygon.empty()) continue;
+      list.push_back({{"name", forest.name}, {"path", fmt::format("forest.{}", k)}, {"sides", sides(forest.polygon)}});
     }
     return list;
   }
@@ -130,6 +130,21 @@ class Describer {
   }
 
  private:
+  /// A polygon's outline on the ground: a line per side, without the sides beyond the terrain.
+  [[nodiscard]] Json sides(const std::vector<std::array<double, 2>>& polygon) const {
+    const Vec2 origin = model_.frame.origin.xy();
+    Json list = Json::array();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const auto &from = polygon[i], &to = polygon[(i + 1) % polygon.size()];
+      Json side = Json::array();
+      for (const Vec3& p : on_ground(Vec2(from[0], from[1]) - origin, Vec2(to[0], to[1]) - origin)) {
+        side.push_back(place(p));
+      }
+      if (!side.empty()) list.push_back(std::move(side));
+    }
+    return list;
+  }
+
   /// A line as given, or draped over the ground if its rocks start at a height above it.
   [[nodiscard]] Json line(const Seeder& seeder, const ReleaseLines& lines, std::size_t number) const {
     Json list = Json::array();
@@ -189,6 +204,7 @@ Json description_of(const ShelvedModel& shelved) {
           {"seeder_report", model.seeder_report},
           {"materials", std::move(materials)},
           {"areas", describer.areas()},
+          {"forests", describer.forests()},
           {"seeders", describer.seeders()},
           {"barriers", describer.barriers()},
           {"project", project::echo(shelved.project)}};

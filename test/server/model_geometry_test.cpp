@@ -173,8 +173,14 @@ TEST_F(ModelGeometry, HasTheReleasePlacesOfTheEngine) {
 TEST_F(ModelGeometry, DrapesAreasOverTheGround) {
   const Json model = model_of(std::string(mesh_text) +
                               "[[area]]\nname = \"Fan\"\nmaterial = \"Rock\"\n"
+                              "polygon = [[1002, 2], [1006, 2], [1006, 300]]\n"
+                              "[[forest]]\nname = \"Wood\"\ndensity = \"open\"\nheight_m = 9\n"
                               "polygon = [[1002, 2], [1006, 2], [1006, 300]]\n");
   ASSERT_EQ(model["areas"].size(), 1U);
+  ASSERT_EQ(model["forests"].size(), 1U);
+  EXPECT_EQ(model["forests"][0]["name"], "Wood");
+  EXPECT_EQ(model["forests"][0]["path"], "forest.0");
+  EXPECT_EQ(model["forests"][0]["sides"], model["areas"][0]["sides"]);
   const Json& area = model["areas"][0];
   EXPECT_EQ(area["name"], "Fan");
   EXPECT_EQ(area["path"], "area.0");

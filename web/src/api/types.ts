@@ -104,6 +104,13 @@ export interface ModelArea {
   sides: Point3[][];
 }
 
+/// A forest that is drawn on plan.
+export interface ModelForest {
+  name: string;
+  path: string;
+  sides: Point3[][];
+}
+
 export interface ModelBarrier {
   name: string;
   kind: 'barrier' | 'collector';
@@ -128,6 +135,7 @@ export interface Model {
   seeder_report: string;
   materials: string[];
   areas: ModelArea[];
+  forests: ModelForest[];
   seeders: ModelSeeder[];
   barriers: ModelBarrier[];
   project: Record<string, unknown>;

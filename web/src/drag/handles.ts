@@ -27,7 +27,7 @@ interface Named {
 
 const mostVertices = 2000;
 
-const tables: readonly TableName[] = ['seeder', 'barrier', 'collector', 'area'];
+const tables: readonly TableName[] = ['seeder', 'barrier', 'collector', 'area', 'forest'];
 const shapes = computed<Named[]>(() => {
   if (!chosen.value || syntaxError.value) return [];
   const entries: Path[] = [['terrain'], ...tables.flatMap((table) => rowsOf(table).map((_, k): Path => [table, k]))];

@@ -6,6 +6,7 @@ const values = {
   seeder: [{ position: [1, 'surface'] }, { type: 'line', points: [[1, 2, 'surface'], [3, 4, 9]] }, { polygon: 'cliff.gpkg' }, { position: ['x', 2] }],
   barrier: [{ line: 15 }, { line: [[0, 0], [0, 50]] }],
   area: [{ polygon: [[0, 0], [1, 0], [1, 1]] }],
+  forest: [{ polygons: 'stands.gpkg' }, { polygon: [[0, 0], [1, 0], [1, 1]] }],
 };
 
 test('vertices are those of the project', () => {
@@ -15,6 +16,8 @@ test('vertices are those of the project', () => {
   expect(shapeOf(values, ['barrier', 0], true)).toEqual({ path: ['barrier', 0, 'line'], kind: 'points', rows: [[15]], least: 1 });
   expect(shapeOf(values, ['barrier', 1], false)?.kind).toBe('line');
   expect(shapeOf(values, ['area', 0], false)?.kind).toBe('polygon');
+  expect(shapeOf(values, ['forest', 0], false)).toBe(null);
+  expect(shapeOf(values, ['forest', 1], false)?.kind).toBe('polygon');
 });
 
 test('what has no numbers cannot be moved', () => {

@@ -1,4 +1,4 @@
-// The parts of a project that have vertices in the view: release places and lines, barriers, areas, the section.
+// The parts of a project that have vertices in the view: release places and lines, barriers, areas, forests, the section.
 
 import type { Path } from '../settings/names';
 import { isTable } from '../settings/tables';
@@ -34,7 +34,7 @@ export function shapeOf(values: TomlTable, entry: Path, is2d: boolean): Shape | 
   if (!isTable(row)) return null;
   const ways = [
     ...(table === 'seeder' ? ([['position', 'points', 1], ['points', 'line', 2], ['polygon', 'polygon', 3]] as const) : []),
-    ...(table === 'area' ? ([['polygon', 'polygon', 3]] as const) : []),
+    ...(table === 'area' || table === 'forest' ? ([['polygon', 'polygon', 3]] as const) : []),
     ...(table === 'barrier' || table === 'collector' ? ([['line', 'line', 2]] as const) : []),
   ];
   for (const [key, kind, least] of ways) {

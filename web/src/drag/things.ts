@@ -1,4 +1,4 @@
-// The seeder, barrier, collector or area under a pixel of a view.
+// The seeder, barrier, collector, area or forest under a pixel of a view.
 
 import type { Point3 } from '../api/types';
 import { pathOf, type Path } from '../settings/names';
@@ -37,6 +37,6 @@ export function thingAt(view: DragView, at: Pixel): Path | null {
         if (pixel) take(path, Math.hypot(pixel[0] - at[0], pixel[1] - at[1]), nearPoint);
       }
     }
-  if (found === null) for (const { path, sides } of now.areas) for (const side of sides) line(path, side);
+  if (found === null) for (const { path, sides } of [...now.areas, ...now.forests]) for (const side of sides) line(path, side);
   return found === null ? null : pathOf(found);
 }

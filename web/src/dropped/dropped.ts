@@ -18,7 +18,7 @@ import { modelNow } from '../project/model';
 import { openForm } from '../project/chosen';
 import { unpacked } from './unzip';
 import { triedAs, triedBoth } from './triedTerrain';
-import { barrierEdits, choicesFor, layerEdits, refusals, releaseEdits, terrainChoices, type Choice, type ReadShape, type Use } from './uses';
+import { barrierEdits, choicesFor, forestEdits, layerEdits, refusals, releaseEdits, terrainChoices, type Choice, type ReadShape, type Use } from './uses';
 import { owned } from '../state/owned';
 
 export interface Dropped {
@@ -124,6 +124,8 @@ export function useDropped({ name, shapes }: Dropped, use: Use) {
       if (edit(`use ${name} for the ground`, edits)) openForm(['ground']);
       return;
     }
+    case 'forest':
+      return put('forest', `add the forest of ${name}`, forestEdits(name, namesIn('forest')));
     case 'ask': {
       const shape = shapes?.find(({ kind }) => kind === 'line') ?? shapes?.[0];
       if (!shape) return;

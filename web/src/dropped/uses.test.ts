@@ -12,7 +12,7 @@ test('a file can be what its shapes allow', () => {
   expect(uses('points', null)).toEqual(['terrain', 'store']); // a point cloud
   expect(uses('mesh', null)).toEqual(['terrain', 'store']);
   expect(uses('vector', [line])).toEqual(['layer', 'barrier', 'collector', 'release', 'ask', 'terrain', 'store']);
-  expect(uses('vector', [area])).toEqual(['layer', 'release', 'ground', 'ask', 'store']);
+  expect(uses('vector', [area])).toEqual(['layer', 'release', 'ground', 'forest', 'ask', 'store']);
   expect(uses('vector', null)).toEqual(['layer', 'store']);
   expect(uses('vector', Array.from({ length: 51 }, () => line))).not.toContain('barrier');
 });

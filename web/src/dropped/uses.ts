@@ -4,7 +4,7 @@ import type { Model, Point2, Problem } from '../api/types';
 import type { Edit, Row } from '../settings/names';
 import type { FileKind } from '../settings/fileEndings';
 
-export type Use = 'layer' | 'barrier' | 'collector' | 'release' | 'ground' | 'ask' | 'section' | 'terrain' | 'store';
+export type Use = 'layer' | 'barrier' | 'collector' | 'release' | 'ground' | 'forest' | 'ask' | 'section' | 'terrain' | 'store';
 
 export interface ReadShape {
   kind: 'line' | 'polygon';
@@ -87,6 +87,7 @@ export function choicesFor(kind: FileKind, shapes: readonly ReadShape[] | null, 
   if (areas > 0) choices.push({ use: 'release', title: 'Release areas', what: `rocks start from the cells of ${counted(areas, 'area')}` });
   else if (lines > 0) choices.push({ use: 'release', title: 'Release lines', what: `rocks start along ${counted(lines, 'line')}` });
   if (areas > 0) choices.push({ use: 'ground', title: 'Ground', what: 'materials by an attribute of its areas' });
+  if (areas > 0) choices.push({ use: 'forest', title: 'A forest', what: `trees in ${counted(areas, 'area')} slow the rocks` });
   if (lines + areas > 0) choices.push({ use: 'ask', title: lines > 0 ? 'A line to ask' : 'An area to ask', what: 'which rocks get there, after a run' });
   if (isSection) choices.push({ ...section, what: 'a slope along this line, in place of the present terrain' });
   if (lines > 0) choices.push(newTerrain('contours or breaklines of a survey'));
@@ -126,5 +127,10 @@ export function releaseEdits(file: string, shapes: readonly ReadShape[], taken: 
   const where: Row<'seeder'> = hasAreas ? { type: 'polygon', polygons: file } : { type: 'line', lines: file };
   return [{ append: ['seeder'], value: { name, ...where, rocks: 1000 } }];
 }
+
+/// Appends a forest over the file's areas; how dense and how high it is, the user says.
+export const forestEdits = (file: string, taken: readonly string[]): Edit[] => [
+  { append: ['forest'], value: { name: freeName(stemOf(file), taken), polygons: file } },
+];
 
 export const layerEdits = (file: string, taken: readonly string[]): Edit[] => [{ append: ['layer'], value: { name: freeName(stemOf(file), taken), file } }];

@@ -60,6 +60,13 @@ function barrier(key: string, row: Row<'barrier'>): string {
     .join(', ');
 }
 
+function forest(row: Row<'forest'>): string {
+  if (row.density === 'none') return 'clearing';
+  const drag = valueText(row.density) || (row.drag_kg_s !== undefined ? `${valueText(row.drag_kg_s)} kg/s` : '');
+  const height = row.height_m !== undefined ? `${valueText(row.height_m)} m high` : '';
+  return [drag, height].filter(Boolean).join(', ') || 'no density yet';
+}
+
 export function summaryOf(key: TableName, index?: number): string {
   const row = index === undefined ? {} : (rowsOf(key)[index] ?? {});
   switch (key) {
@@ -73,6 +80,8 @@ export function summaryOf(key: TableName, index?: number): string {
       return material(row);
     case 'area':
       return valueText(row.material) || 'no material yet';
+    case 'forest':
+      return forest(row);
     case 'seeder':
       return seeder(row);
     case 'barrier':

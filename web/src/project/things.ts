@@ -1,4 +1,4 @@
-// Adds, copies and deletes materials, areas, seeders, barriers and collectors.
+// Adds, copies and deletes materials, areas, forests, seeders, barriers and collectors.
 
 import { edit, rowsOf, values } from './document';
 import { choose, chosen } from './chosen';
@@ -12,6 +12,7 @@ import { freshName, is2d, nameOf, tableAt } from './place';
 const words: Partial<Record<TableName, string>> = {
   material: 'Material',
   area: 'Area',
+  forest: 'Forest',
   seeder: 'Seeder',
   barrier: 'Barrier',
   collector: 'Collector',

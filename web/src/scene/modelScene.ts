@@ -37,7 +37,7 @@ const mostTriangles = 60_000; // of a mesh that is drawn as a whole; a larger on
 
 /// Identifies the terrain; other changes of the project do not reload it.
 const terrainKey = ({ files, bounds, facets, kind, materials, project }: Model) =>
-  JSON.stringify([file.peek(), files, bounds, facets, kind, materials, project.terrain, project.ground, project.area]);
+  JSON.stringify([file.peek(), files, bounds, facets, kind, materials, project.terrain, project.ground, project.area, project.forest]);
 
 export class ModelScene {
   readonly stage: Stage;

@@ -15,7 +15,15 @@ export const sections: Section[] = [
   { name: 'analysis', title: 'Project and analysis', tables: ['', 'analysis'], lists: [] },
   { name: 'terrain', title: 'Terrain', tables: ['terrain'], lists: [] },
   { name: 'material', title: 'Materials', tables: [], lists: [{ key: 'material', one: 'material' }] },
-  { name: 'ground', title: 'Ground', tables: ['ground'], lists: [{ key: 'area', one: 'area', only3d: true }] },
+  {
+    name: 'ground',
+    title: 'Ground',
+    tables: ['ground'],
+    lists: [
+      { key: 'area', one: 'area', only3d: true },
+      { key: 'forest', one: 'forest', only3d: true },
+    ],
+  },
   { name: 'seeder', title: 'Seeders', tables: [], lists: [{ key: 'seeder', one: 'seeder' }] },
   {
     name: 'barrier',

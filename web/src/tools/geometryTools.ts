@@ -93,7 +93,7 @@ export function drawable(path: Path): Drawable | null {
           done: (places) => set('draw', places.map(onPlan)),
         }),
     };
-  if (table === 'area' && key === 'polygon')
+  if ((table === 'area' || table === 'forest') && key === 'polygon')
     return {
       title: 'Draw in the view',
       start: () => {
@@ -102,7 +102,7 @@ export function drawable(path: Path): Drawable | null {
           name: thing,
           kind: 'polygon',
           least: 3,
-          hint: 'Click around the area of this material.',
+          hint: table === 'area' ? 'Click around the area of this material.' : 'Click around the forest.',
           done: (places) => set('draw', places.map(onPlan)),
         });
       },
