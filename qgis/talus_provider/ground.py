@@ -1,8 +1,8 @@
-"""Materials of the ground from polygons of ground and of forests."""
+"""The ground of a project from polygons of ground and of forests."""
 
 import re
 
-from qgis.core import QgsCoordinateTransform, QgsGeometry, QgsProcessingException, QgsWkbTypes
+from qgis.core import QgsProcessingException, QgsWkbTypes
 
 from .layers import VectorFile, attribute, text_field
 from .toml import Written
@@ -10,6 +10,7 @@ from .toml import Written
 PLAIN = re.compile(r'[\w\s=.,+"{}\[\]-]*')  # of a distribution without escapes: layers come from others
 DENSITY_KEYS = ("forest", "forest_drag_kg_s")  # one or the other
 FOREST_KEYS = (*DENSITY_KEYS, "forest_height_m")
+KEYS_OF_TABLE = {"forest": "density", "forest_drag_kg_s": "drag_kg_s", "forest_height_m": "height_m"}
 
 
 class Ground:
@@ -21,18 +22,23 @@ class Ground:
         self.materials = {"ground": default}
         self.places = []  # pairs of a geometry and the name of its material; later ones lie over earlier ones
         self.crs = None
+        self.forests = {}  # the keys of [[forest]] by its name
+        self.stands = []  # as places, of forests
+        self.forests_crs = None
 
-    def tables(self, file):
+    def tables(self, file, file_of_forests):
         found = [("[[material]]", {"name": name, **keys}) for name, keys in self.materials.items()]
         if self.places:
             found.append(("[ground]", {"default": "ground", "polygons": file, "attribute": "material"}))
+        for name, keys in self.forests.items():
+            chosen = {"attribute": "forest", "values": [name]} if len(self.forests) > 1 else {}
+            found.append(("[[forest]]", {"name": name, "polygons": file_of_forests, **chosen, **keys}))
         return found
 
-    def write(self, path, context):
-        with VectorFile(path, text_field("material"), QgsWkbTypes.MultiPolygon, self.crs, context) as file:
-            for geometry, material in self.places:
-                geometry.convertToMultiType()
-                file.add(geometry, [material])
+    def write(self, file, file_of_forests, context):
+        """Writes the layers that the project needs."""
+        write_polygons(file, "material", self.places, self.crs, context)
+        write_polygons(file_of_forests, "forest", self.stands, self.forests_crs, context)
 
     def add_polygons(self, features, field):
         """Each value of `field` is a material: of the library if it is its key there, and with the values that other
@@ -65,13 +71,10 @@ class Ground:
             raise QgsProcessingException("\n".join(dict.fromkeys(problems)))
 
     def add_forests(self, features, keys_of_all):
-        """Polygons of forest over the ground: each material that lies in a forest gets a second one with the forest.
-        The polygons are cut, so that none overlap that did not before."""
-        transform = features.to_terrain()
-        self.move_to(features.terrain, features.context)
-        grounds, self.places, self.crs = self.places, [], features.terrain.crs
+        """Polygons of forest, which lie over whatever ground is below: a [[forest]] for each pair of density and
+        height."""
+        self.forests_crs = features.crs
         known = features.fields_of(FOREST_KEYS)
-        forests = []
         for feature in features.source.getFeatures():
             own = keys_of(feature, known, self.settings)
             has_own_density = any(key in own for key in DENSITY_KEYS)
@@ -82,52 +85,21 @@ class Ground:
                     f'Feature {feature.id()} of the layer "{features.name}" (forests) has no density: choose one for'
                     " all, or give the layer a field forest (open, medium or dense) or forest_drag_kg_s."
                 )
-            geometry = feature.geometry()
-            if not geometry.isEmpty():
-                geometry.transform(transform)
-                forests.append((geometry, keys))
-        wooded, open_ground = union(forests), union(grounds)
-        for geometry, material in grounds:
-            self.place(geometry.difference(wooded), material)
-        for geometry, keys in forests:
-            self.place(geometry.difference(open_ground) if grounds else geometry, self.wooded("ground", keys))
-            for ground, material in grounds:
-                if ground.intersects(geometry):
-                    self.place(ground.intersection(geometry), self.wooded(material, keys))
-
-    def move_to(self, terrain, context):
-        if self.places and self.crs.isValid():
-            transform = QgsCoordinateTransform(self.crs, terrain.crs, context.transformContext())
-            for geometry, _ in self.places:
-                geometry.transform(transform)
-
-    def place(self, geometry, material):
-        polygons = sound(geometry)
-        polygons.convertGeometryCollectionToSubclass(QgsWkbTypes.PolygonGeometry)
-        if not polygons.isEmpty() and polygons.type() == QgsWkbTypes.PolygonGeometry:
-            self.places.append((polygons, material))
-
-    def wooded(self, material, forest):
-        """The name of a material in a forest."""
-        words = " ".join(f"{value:g}" if isinstance(value, float) else str(value) for value in forest.values())
-        name = f"{material}, forest {words}"
-        own = {key: value for key, value in self.materials[material].items() if key not in FOREST_KEYS}
-        self.materials.setdefault(name, {**own, **forest})
-        return name
+            if not feature.hasGeometry():
+                continue
+            words = " ".join(f"{value:g}" if isinstance(value, float) else str(value) for value in keys.values())
+            name = f"forest {words}"
+            self.forests[name] = {KEYS_OF_TABLE[key]: value for key, value in keys.items()}
+            self.stands.append((feature.geometry(), name))
 
 
-def union(places):
-    return sound(QgsGeometry.unaryUnion([geometry for geometry, _ in places]))
-
-
-def sound(geometry):
-    """What two geometries gave, which is nothing but an error if one of them is invalid."""
-    if geometry.isNull() and geometry.lastError():
-        raise QgsProcessingException(
-            f"Forests and ground could not be laid over each other: {geometry.lastError()}. Repair the polygons with "
-            "Fix Geometries, in the toolbox of Processing."
-        )
-    return geometry
+def write_polygons(path, field, places, crs, context):
+    if not places:
+        return
+    with VectorFile(path, text_field(field), QgsWkbTypes.MultiPolygon, crs, context) as file:
+        for geometry, name in places:
+            geometry.convertToMultiType()
+            file.add(geometry, [name])
 
 
 def keys_of(feature, fields, settings):

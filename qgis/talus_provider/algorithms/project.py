@@ -294,7 +294,7 @@ class ProjectAlgorithm(Algorithm):
                     yield f"{project} exists and was not written by this plugin. Choose another name or folder."
         ours = {
             os.path.realpath(os.path.join(folder, name + ending))
-            for ending in ("-terrain.tif", "-release.gpkg", "-ground.gpkg")
+            for ending in ("-terrain.tif", "-release.gpkg", "-ground.gpkg", "-forest.gpkg")
         }
         for layer in (self.terrain, *chosen.values()):
             file = layer.file.split("|")[0]
@@ -316,9 +316,9 @@ class ProjectAlgorithm(Algorithm):
             ground.add_forests(chosen["FORESTS"], forest)
         elif forest:
             raise QgsProcessingException("Forests have values but no polygons. Choose the layer of the forests.")
-        if ground.places:
-            ground.write(os.path.join(folder, f"{name}-ground.gpkg"), context)
-        return ground.tables(f"{name}-ground.gpkg")
+        files = (f"{name}-ground.gpkg", f"{name}-forest.gpkg")
+        ground.write(*(os.path.join(folder, file) for file in files), context)
+        return ground.tables(*files)
 
     def seeder(self, values, features, folder, name, context, feedback):
         given = self.keys(values, "seeder", context)
