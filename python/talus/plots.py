@@ -20,9 +20,11 @@ if TYPE_CHECKING:
 
 __all__ = ["barrier_curves", "changes", "histogram", "map", "plan", "profile", "section"]
 
-_path = {"color": "#1f5f8b", "linewidth": 0.6, "alpha": 0.5}
-_ground = "#6b5b4b"
-_barrier = {"color": "#b3261e", "linewidth": 2}
+# The colours of the report (report/page/style.css).
+_path = {"color": "#1f5fa8", "linewidth": 0.6, "alpha": 0.5}
+_ground = "#6d5f4b"
+_barrier = {"color": "#7a1fa2", "linewidth": 2}
+_more = "#c4161c"
 
 
 def section(result: Results, *, rocks: int = 50, axes: Axes | None = None) -> Axes:
@@ -48,7 +50,7 @@ def plan(result: Results, *, rocks: int = 100, axes: Axes | None = None) -> Axes
         raise BadInput("this run is one of a section, which has no plan. plots.section shows it")
     axes = _axes(axes)
     paths = [path[:, :2] for path in _paths(result, rocks)]
-    feet = [np.array(barrier["line_xyz"])[:, :2] for barrier in result.summary["barriers"]]
+    feet = _feet(result)
     ends = np.stack([result.end_points["x_m"], result.end_points["y_m"]], axis=1)
     _terrain(result, axes, np.concatenate([ends, *paths, *feet]))
     for path in paths:
@@ -60,19 +62,24 @@ def plan(result: Results, *, rocks: int = 100, axes: Axes | None = None) -> Axes
 
 
 def map(result: Results, name: str, *, axes: Axes | None = None, **options: Any) -> Axes:  # noqa: A001
-    """A map of the run in its classes, over the hillshade. ``options`` go to imshow: ``cmap``, ``norm``, ``vmin`` or ``vmax``
-    replace the classes."""
+    """A map of the run in its classes, over the hillshade, with the barriers. Shares are in percent. ``options`` go to
+    imshow: ``cmap``, ``norm``, ``vmin`` or ``vmax`` replace the classes."""
     values = result.maps[name]
     axes = _axes(axes)
     west, east, south, north = values.extent
     _terrain(result, axes, np.array([[west, south], [east, north]]))
+    unit, per = ("%", 0.01) if values.dtype.kind == "f" and not values.unit else (values.unit, 1)
     own_colours = not {"cmap", "norm", "vmin", "vmax"}.isdisjoint(options)
     colours = {"cmap": "inferno_r"} if own_colours else _classes(values)
-    image = axes.imshow(values, extent=values.extent, **{"alpha": 0.8, "interpolation": "nearest", **colours, **options})
-    unit = f" [{values.unit}]" if values.unit else ""
-    bar = axes.figure.colorbar(image, ax=axes, label=f"{values.meaning}{unit}", shrink=0.8)
-    if not own_colours:
-        bar.set_ticks([0, *values.limits], labels=[f"{limit:,g}" for limit in (0, *values.limits)])
+    image = axes.imshow(values, extent=values.extent, **{"alpha": 0.84, "interpolation": "nearest", **colours, **options})
+    for foot in _feet(result):
+        axes.plot(*foot.T, **_barrier)
+    bar = axes.figure.colorbar(image, ax=axes, label=f"{_titled(values.meaning)} [{unit}]" if unit else _titled(values.meaning),
+                               shrink=0.8)
+    if own_colours:
+        bar.ax.yaxis.set_major_formatter(lambda value, _: f"{value / per:,g}")
+    else:
+        bar.set_ticks([0, *values.limits], labels=[f"{limit / per:,g}" for limit in (0, *values.limits)])
     return axes
 
 
@@ -98,7 +105,8 @@ def histogram(result: Results, column: str, *, table: str = "end_points", bins: 
 
 
 def barrier_curves(result: Results, barrier: str, *, axes: Axes | None = None) -> Axes:
-    """The share of the hits on a barrier or collector below each energy and each height: what a barrier there must be."""
+    """The share of the hits on a barrier or collector below each energy and each height of the block's top: what a barrier
+    there must be."""
     hits = result.barrier_hits
     hits = hits[hits["barrier"] == barrier]
     if len(hits) == 0:
@@ -109,11 +117,12 @@ def barrier_curves(result: Results, barrier: str, *, axes: Axes | None = None) -
     axes = _axes(axes)
     share = 100 * np.arange(1, len(hits) + 1) / len(hits)
     axes.step(np.sort(hits["ke_total_J"]) / 1000, share, where="post", color=_path["color"], label="energy")
-    axes.set(xlabel="total kinetic energy [kJ]", ylabel="share of hits below [%]", ylim=(0, 100), title=barrier)
+    axes.set(xlabel="total kinetic energy [kJ]", ylabel="share of hits below [%]", xlim=(0, None), ylim=(0, 100),
+             title=barrier)
     above = axes.twiny()
-    above.step(np.sort(hits["impact_height_m"]), share, where="post", color=_barrier["color"])
-    above.set_xlim(0, max(1.05 * hits["impact_height_m"].max(), 0.1))  # heights of rocks that roll are rounding
-    above.set_xlabel("impact height [m]", color=_barrier["color"])
+    above.step(np.sort(hits["top_height_m"]), share, where="post", color=_barrier["color"])
+    above.set_xlim(0, 1.05 * hits["top_height_m"].max())
+    above.set_xlabel("height of the block's top [m]", color=_barrier["color"])
     above.tick_params(axis="x", colors=_barrier["color"])
     axes.axhline(95, color="grey", linewidth=0.5, linestyle=":")
     axes.xaxis.label.set_color(_path["color"])
@@ -161,7 +170,7 @@ def changes(what_if: WhatIf, figure: str = "energy_kJ", *, axes: Axes | None = N
     for each in steps:
         value, low, high = (number / per for number in getattr(each.change, figure))
         place = order.index(each.factor) + (0.2 if each.step > 0 else -0.2)
-        colour = _barrier["color"] if each.step > 0 else _path["color"]
+        colour = _more if each.step > 0 else _path["color"]
         axes.barh(place, np.nan_to_num(value), height=0.35, color=colour, alpha=0.5)
         axes.plot([low, high], [place, place], color=colour, linewidth=1)
         axes.annotate(f"{100 * each.step:+g} %", (0, place), xytext=(3 if value < 0 else -3, 0),
@@ -187,6 +196,18 @@ _counted = {"end_points": "rocks", "barrier_hits": "hits", "impacts": "impacts",
 def _shown(unit: str) -> tuple[str, float]:
     """The unit in which engineers read it, and what it is of the given one."""
     return ("kJ", 1000) if unit == "J" else (unit, 1)
+
+
+def _titled(meaning: str) -> str:
+    """What a map shows, as the report says it."""
+    words = re.sub(": percentile ([0-9.]+) of the rocks", r", \1 %", meaning)
+    words = re.sub(": (maximum|mean) over (all|the) rocks", r", \1", words)
+    return words[:1].upper() + words[1:]
+
+
+def _feet(result: Results) -> list[np.ndarray]:
+    """The feet of the barriers and collectors on plan, (n, 2) [m]."""
+    return [np.array(barrier["line_xyz"])[:, :2] for barrier in result.summary["barriers"]]
 
 
 def _classes(values: Map) -> dict[str, Any]:
@@ -247,13 +268,15 @@ def _terrain(result: Results, axes: Axes, places: np.ndarray) -> None:
 
 
 def _hillshade(result: Results, axes: Axes, low: np.ndarray, high: np.ndarray) -> None:
-    from matplotlib.colors import LightSource
-
+    """As in the report: lit from the north-west at 45 degrees, in light greys."""
     if not (high > low).all():
         return
     cell = (high - low).max() / 400
     x, y = np.arange(low[0] + cell / 2, high[0], cell), np.arange(high[1] - cell / 2, low[1], -cell)
+    if len(x) < 2 or len(y) < 2:
+        return
     z = np.ma.masked_invalid(result.surface.elevation(x[np.newaxis, :], y[:, np.newaxis]))
-    shade = LightSource(azdeg=315, altdeg=45).hillshade(z.filled(z.mean()), dx=cell, dy=cell)
-    axes.imshow(np.ma.array(shade, mask=z.mask),
-                extent=(low[0], low[0] + cell * len(x), high[1] - cell * len(y), high[1]), cmap="gray", vmin=-0.4, vmax=1)
+    south, east = np.nan_to_num(np.gradient(z.filled(np.nan), cell))  # at holes: level
+    lit = (0.5 * east + 0.5 * south + np.sqrt(0.5)) / np.sqrt(east**2 + south**2 + 1)
+    axes.imshow(np.ma.array(150 + 100 * np.clip(lit, 0, 1), mask=z.mask),
+                extent=(low[0], low[0] + cell * len(x), high[1] - cell * len(y), high[1]), cmap="gray", vmin=0, vmax=255)

@@ -55,6 +55,14 @@ def test_maps_are_drawn_in_their_classes(crater):
         assert to_hex(image.cmap(image.norm(each.low))) == each.colour
     plain = talus.plots.map(crater, "velocity_max", cmap="viridis", vmax=40).images[-1]
     assert plain.cmap.name == "viridis" and plain.norm.vmax == 40
+    for name, label, ticks in (("energy_total_p95", "Total kinetic energy, 95 % [kJ]", "0 30 100 300 1,000 3,000"),
+                               ("velocity_max", "Velocity, maximum [m/s]", "0 5 10 15 20 30"),
+                               ("bounce_height_p95", "Bounce height of the lowest point, 95 % [m]", "0 0.5 1 2 5 10"),
+                               ("reach_share", "Share of all rocks that were in the cell [%]", "0 0.001 0.01 0.1 1 10"),
+                               ("passages", "Rocks that were in the cell", "0 10 100 1,000 10,000 100,000")):
+        bar = talus.plots.map(crater, name).images[-1].colorbar.ax
+        assert bar.get_ylabel() == label
+        assert [tick.get_text() for tick in bar.get_yticklabels()] == ticks.split()
     pyplot.close("all")
 
 
