@@ -2,8 +2,10 @@
 """A DEM of 10^8 cells of 1 m, and a million rocks from its steep cells with all default outputs.
 
     bench/hundred_million_cells.py PROGRAM [--side NODES] [--rocks N]
+    bench/hundred_million_cells.py --write FOLDER [--side NODES] [--rocks N]
 
-Needs NumPy, GDAL for Python, some 8 GB of memory and 2 GB of disk.
+The second only writes the project, FOLDER/run.toml. Needs NumPy, GDAL for Python, some 8 GB of memory and
+2 GB of disk.
 """
 
 import os
@@ -54,6 +56,14 @@ def write(heights: np.ndarray, path: Path) -> None:
     data.GetRasterBand(1).WriteArray(heights)
 
 
+def write_project(folder: Path, side: int, rocks: int) -> Path:
+    folder.mkdir(parents=True, exist_ok=True)
+    write(mountains(side), folder / "dem.tif")
+    project = folder / "run.toml"
+    project.write_text(PROJECT.format(rocks=rocks))
+    return project
+
+
 def main() -> None:
     arguments = sys.argv[1:]
 
@@ -66,11 +76,13 @@ def main() -> None:
         return value
 
     side, rocks = option("--side", 10_000), option("--rocks", 1_000_000)
+    if arguments[0] == "--write":
+        write_project(Path(arguments[1]), side, rocks)
+        return
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        write(mountains(side), folder / "dem.tif")
-        (folder / "run.toml").write_text(PROJECT.format(rocks=rocks))
-        used = measured([arguments[0], "run", str(folder / "run.toml"), "-q", "-o", str(folder / "out")])
+        project = write_project(folder, side, rocks)
+        used = measured([arguments[0], "run", str(project), "-q", "-o", str(folder / "out")])
         size = sum(file.stat().st_size for file in (folder / "out").rglob("*") if file.is_file())
         print(
             f"{side * side} cells, everything by default: {rocks} rocks, {len(os.sched_getaffinity(0))} threads, "

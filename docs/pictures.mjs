@@ -8,6 +8,7 @@ import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
 import { addressOf } from '../bench/served.mjs';
+import { notebookPage } from './notebook_page.mjs';
 
 const sources = resolve(import.meta.dirname, '..');
 const program = resolve(process.env.TALUS_PROGRAM ?? join(sources, 'build/talus'));
@@ -34,7 +35,7 @@ async function pictureOfPage(browser, file, { part, style = '', width = 1140, na
   const right = Math.max(...boxes.map((box) => box.x + box.width));
   const bottom = Math.max(...boxes.map((box) => box.y + box.height));
   const clip = { x: left - 8, y: top - 8, width: right - left + 16, height: bottom - top + 16 };
-  await page.screenshot({ path: join(sources, 'docs', name), clip, fullPage: true });
+  await page.screenshot({ path: join(sources, 'docs', name), clip, fullPage: true, timeout: 120_000 });
   await page.close();
 }
 
@@ -54,16 +55,37 @@ async function pictureOfDesign(browser, folder) {
   await pictureOfPage(browser, join(folder, 'design/report.html'), { part: '#design figure >> nth=0', style: plain, name: 'gallery-design.png' });
 }
 
-/// The map of the 95th percentile of bounce heights.
-async function pictureOfMap(browser, folder) {
+/// What a hazard map is made from: how strong rocks are, and which share of them arrives.
+async function pictureOfMaps(browser, folder) {
   execFileSync(program, ['run', join(sources, 'examples/maungawhau/maungawhau.toml'), '--quiet', '-o', join(folder, 'map')]);
-  await pictureOfPage(browser, join(folder, 'map/report.html'), { part: '#maps figure >> nth=0', style: plain, name: 'gallery-map.png' });
+  const style = `${plain} #maps figure { display: none } #maps figure:is(:nth-of-type(2), :nth-of-type(4)) { display: block }`;
+  await pictureOfPage(browser, join(folder, 'map/report.html'), { part: '#maps figure:visible', style, name: 'gallery-maps.png' });
+}
+
+/// A map of a region, of the energy that 95 % of the rocks in a cell have at most, merged from four shards.
+async function pictureOfRegion(browser, folder) {
+  const [region, shards, merged] = ['region', 'shards', 'merged'].map((name) => join(folder, name));
+  execFileSync('/usr/bin/python3', [join(sources, 'bench/hundred_million_cells.py'), '--write', region, '--side', '4000', '--rocks', '100000']);
+  for (const k of [1, 2, 3, 4])
+    execFileSync(program, ['run', join(region, 'run.toml'), '--quiet', '--shard', `${k}/4`, '-o', join(shards, `${k}`)]);
+  execFileSync(program, ['merge', shards, '-o', merged], { stdio: 'ignore' });
+  const style = `${plain} .release { display: none } .columns { display: block !important } #maps svg { width: 680px; height: auto }`;
+  await pictureOfPage(browser, join(merged, 'report.html'), { part: '#maps figure >> nth=1 >> svg', style, name: 'gallery-region.png' });
 }
 
 /// What thirty blocks on a slope say of the ground.
 async function pictureOfCalibration(browser, folder) {
   execFileSync(program, ['calibrate', join(sources, 'examples/calibration/study.toml'), '--quiet', '-o', join(folder, 'ground')], { stdio: 'ignore' });
-  await pictureOfPage(browser, join(folder, 'ground/report.html'), { part: 'figure >> nth=0', style: plain, name: 'gallery-calibration.png' });
+  // Two parameters, and how far rocks run.
+  const style = 'body { max-width: none } body > * { display: none } figure:nth-of-type(1), figure:nth-of-type(2), figure:has(.observed) { display: inline-block; vertical-align: bottom }';
+  await pictureOfPage(browser, join(folder, 'ground/report.html'), { part: 'figure:visible', style, width: 1260, name: 'gallery-calibration.png' });
+}
+
+/// The beginning of a notebook, as it is stored.
+async function pictureOfNotebook(browser, folder) {
+  const file = join(folder, 'notebook.html');
+  writeFileSync(file, notebookPage(join(sources, 'examples/notebooks/line.ipynb'), 7));
+  await pictureOfPage(browser, file, { part: 'main', name: 'gallery-notebook.png' });
 }
 
 /// Starts the workbench, and passes its page to a task.
@@ -94,18 +116,21 @@ const pictureOfWorkbench = (browser, folder) =>
     await page.screenshot({ path: join(sources, 'docs/workbench.png') });
   });
 
-/// Blocks of four shapes that tumble down a slope.
-const pictureOfBlocks = (browser, folder) => {
-  const project = join(folder, 'blocks');
-  mkdirSync(project, { recursive: true });
-  cpSync(join(sources, 'examples/blocks/blocks.toml'), join(project, 'blocks.toml'));
+/// Boulders that tumble down the flank of a crater: the scene alone, in the whole window.
+const pictureOfBoulders = (browser, folder) => {
+  const project = join(folder, 'boulders');
+  cpSync(join(sources, 'examples/maungawhau'), project, { recursive: true });
   return inWorkbench(browser, project, async (page) => {
-    await page.getByRole('button', { name: /blocks/i }).first().click();
+    await page.setViewportSize({ width: 1600, height: 860 });
+    await page.getByRole('button', { name: 'boulders.toml' }).click();
     await page.getByRole('button', { name: /^Compute/ }).first().click();
     await page.getByRole('group', { name: 'Playback' }).waitFor({ timeout: 120_000 });
-    await page.getByRole('slider', { name: 'Time', exact: true }).fill('6');
+    await page.addStyleTag({ content: '.scene { position: fixed; z-index: 1000 } .view-bar, .compass { display: none !important }' });
+    // The eye, and the point that it looks at.
+    await page.evaluate((address) => { location.hash = address; }, '#/boulders.toml?view=330,-52,150,397,95,149');
+    await page.getByRole('slider', { name: 'Time', exact: true }).fill('6.6');
     await page.waitForTimeout(5000); // until the view is drawn
-    await page.screenshot({ path: join(sources, 'docs/gallery-blocks.png') });
+    await page.screenshot({ path: join(sources, 'docs/boulders.png') });
   });
 };
 
@@ -167,10 +192,12 @@ const pictures = {
   report: pictureOfReport,
   models: pictureOfModels,
   design: pictureOfDesign,
-  map: pictureOfMap,
+  maps: pictureOfMaps,
+  region: pictureOfRegion,
   calibration: pictureOfCalibration,
+  notebook: pictureOfNotebook,
   workbench: pictureOfWorkbench,
-  blocks: pictureOfBlocks,
+  boulders: pictureOfBoulders,
   examples: picturesOfExamples,
   validation: pictureOfValidation,
   sheet: (_, folder) => pictureOfSheet(folder),
