@@ -5,12 +5,12 @@ import type { Summary } from '../api/results';
 import { ask } from '../askLine/asked';
 import { drawAsked } from '../askLine/askTools';
 import { askContour } from '../askLine/fromMap';
-import { percentText } from '../askLine/kit';
 import { shownPaths } from '../paths/drawnPaths';
 import { shown } from '../runs/runs';
 import { displayOf } from '../state/displayUnits';
 import { attempt } from '../state/messages';
 import { numberText } from '../units/numbers';
+import { leaving } from './leaving';
 import { middleEnd } from './middleEnd';
 
 function Figure({ title, value, note }: { title: string; value: string; note: string }) {
@@ -43,8 +43,7 @@ const takeMiddle = () =>
 
 export function NoPlace({ of }: { of: Summary }) {
   const is2d = shown.value?.dimension === 2;
-  const done = Number(of.rocks.done);
-  const left = Number(of.end_reasons['left the model'] ?? 0);
+  const leave = leaving(of.end_reasons, of.rocks.done);
   return (
     <div class="answer-cards">
       <section class="answer-card choose-place" aria-label="Choose a place">
@@ -60,12 +59,12 @@ export function NoPlace({ of }: { of: Summary }) {
             title={is2d ? 'The place where half of the drawn rocks have stopped' : 'The contour through the place where half of the drawn rocks have stopped'}
             onClick={() => void takeMiddle()}
           >
-            Where half of them stop
+            {is2d ? 'Where half of them stop' : 'Contour of the middle end'}
           </button>
         </div>
       </section>
       <Figure title="95 % of the rocks stop within" value={percentileIn(of, 'runout_xy_m', 'm')} note="of their release, on plan" />
-      <Figure title="Leave the model" value={percentText(done > 0 ? left / done : 0)} note={`${left.toLocaleString('en')} of ${done.toLocaleString('en')} rocks`} />
+      <Figure title="Leave the model" value={leave.share} note={leave.note} />
       <Figure title="95 % of the largest energies" value={percentileIn(of, 'max_ke_J', 'J')} note="total, anywhere on the way" />
     </div>
   );
