@@ -69,7 +69,7 @@ async function pictureOfRegion(browser, folder) {
   for (const k of [1, 2, 3, 4])
     execFileSync(program, ['run', join(region, 'run.toml'), '--quiet', '--shard', `${k}/4`, '-o', join(shards, `${k}`)]);
   execFileSync(program, ['merge', shards, '-o', merged], { stdio: 'ignore' });
-  const style = `${plain} .release { display: none } .columns { display: block !important } #maps svg { width: 680px; height: auto }`;
+  const style = `${plain} .release { display: none } .figure-head { visibility: hidden } .columns { display: block !important } #maps svg { width: 680px; height: auto }`;
   await pictureOfPage(browser, join(merged, 'report.html'), { part: '#maps figure >> nth=1 >> svg', style, name: 'gallery-region.png' });
 }
 
