@@ -7,7 +7,7 @@ import { cardsOf } from './cards';
 import { areApart, doubtsOf } from './doubts';
 import { firstOf } from './firstOf';
 import { shouldBegin, type Situation } from './jobStep';
-import { middleEnd } from './middleEnd';
+import { lengthOf, middleEnd, middleEnds } from './middleEnd';
 import { placeName, placeOf } from './whichPlace';
 
 const figures = (share: number, height: number | null): Figures => {
@@ -142,6 +142,20 @@ test('half of the rocks end below the middle end', () => {
   const paths = { starts: Uint32Array.of(0, 2, 4, 6), positions: Float32Array.of(0, 0, 9, 1, 0, 3, 0, 0, 9, 2, 0, 1, 0, 0, 9, 3, 0, 2), header: { origin: [10, 0, 100] } };
   expect(middleEnd(paths as never)).toEqual([13, 0, 102]);
   expect(middleEnd({ ...paths, starts: Uint32Array.of(0) } as never)).toBeNull();
+});
+
+test('ends about the middle one begin with it and are spread over a fifth of all', () => {
+  const count = 100;
+  const paths = {
+    starts: Uint32Array.from({ length: count + 1 }, (_, k) => k),
+    positions: Float32Array.from({ length: 3 * count }, (_, k) => (k % 3 === 2 ? Math.floor(k / 3) : 0)),
+    header: { origin: [0, 0, 0] },
+  };
+  const heights = middleEnds(paths as never).map(([, , z]) => z);
+  expect(heights[0]).toBe(50);
+  expect([Math.min(...heights), Math.max(...heights)]).toEqual([40, 60]);
+  expect(middleEnds({ ...paths, starts: Uint32Array.of(0) } as never)).toEqual([]);
+  expect(lengthOf([[0, 0], [3, 4], [3, 5]])).toBe(6);
 });
 
 test('long lists say how much is left out', () => {

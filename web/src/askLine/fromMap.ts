@@ -37,19 +37,48 @@ async function takeNearest([x, y]: Point3) {
   ask({ kind: best.kind, points }, `ask ${best.name || 'a line of a layer'}`);
 }
 
-/// Asks the contour through a place, or at an elevation near it. `opens`: the card, too.
-export async function askContour([x, y]: Point3, { elevation_m, opens = true }: { elevation_m?: number; opens?: boolean } = {}) {
+export interface Contour {
+  elevation_m: number;
+  points: Point2[];
+}
+
+const contourOf = (id: string, [x, y]: Point3, elevation_m?: number) =>
+  sendJson<Contour>('POST', `/api/models/${id}/contour`, { place: [x, y], ...(elevation_m !== undefined && { elevation_m }) });
+
+const askIt = ({ elevation_m, points }: Contour, opens: boolean) =>
+  ask({ kind: 'line', points }, `ask the contour at ${numberText(elevation_m, 5)} m`, opens);
+
+/// Asks the contour through a place, or at an elevation near it.
+export async function askContour(place: Point3, elevation_m?: number) {
   const now = model.peek();
   if (!now) return;
   try {
-    const found = await sendJson<{ elevation_m: number; points: Point2[] }>('POST', `/api/models/${now.id}/contour`, { place: [x, y], ...(elevation_m !== undefined && { elevation_m }) });
+    const found = await contourOf(now.id, place, elevation_m);
     if (model.peek()?.id !== now.id) return;
     resolve('asked file');
-    ask({ kind: 'line', points: found.points }, `ask the contour at ${numberText(found.elevation_m, 5)} m`, opens);
+    askIt(found, true);
   } catch (error) {
     if (!(error instanceof Refused)) throw error;
     notify('note', error.message, 'asked file');
   }
+}
+
+/// Asks the one of the contours through these places that `rank` puts highest, without opening the card.
+export async function askBestContour(places: readonly Point3[], rank: (contour: Contour) => number) {
+  const now = model.peek();
+  if (!now) return;
+  const found: Contour[] = [];
+  for (const place of places) {
+    try {
+      found.push(await contourOf(now.id, place));
+    } catch (error) {
+      if (!(error instanceof Refused)) throw error;
+    }
+  }
+  if (model.peek()?.id !== now.id) return;
+  const [best] = found.toSorted((a, b) => rank(b) - rank(a));
+  if (best) askIt(best, false);
+  else notify('note', 'No contour runs through the places where rocks stop.', 'asked file');
 }
 
 export function takeFromMap(what: keyof typeof names, elevation?: () => number | undefined) {
@@ -62,6 +91,6 @@ export function takeFromMap(what: keyof typeof names, elevation?: () => number |
     least: 1,
     most: 1,
     hint: what === 'layer' ? 'Click a line of a reference layer.' : 'Click the place through which the contour runs, or near which it has the elevation of the card.',
-    done: ([place]) => void (what === 'layer' ? takeNearest(place!) : askContour(place!, { elevation_m: elevation?.() })).catch(reportFailure),
+    done: ([place]) => void (what === 'layer' ? takeNearest(place!) : askContour(place!, elevation?.())).catch(reportFailure),
   });
 }
