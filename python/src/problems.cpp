@@ -47,7 +47,8 @@ py::list as_python(const Problems& problems) {
                      py::arg("line") = problem.line > 0 ? py::object(py::int_(problem.line)) : py::none(),
                      py::arg("where") = text(problem.where), py::arg("what") = text(problem.what),
                      py::arg("why") = text(problem.why), py::arg("hint") = text(problem.hint),
-                     py::arg("path") = text(problem.path), py::arg("text") = py::str(as_utf8(problem.text()))));
+                     py::arg("path") = text(problem.path), py::arg("text") = py::str(as_utf8(problem.text())),
+                     py::arg("kind") = text(std::string(word(problem.kind)))));
   }
   return list;
 }

@@ -32,6 +32,8 @@ class Problem:
     """The setting, for example ``material.0.roughness_deg``."""
     text: str
     """All of this as one line."""
+    kind: str | None = None
+    """For programs: ``"mostly_on_ground"``, ``"height_below_block"`` or ``"kit_below_block"``; None for all others."""
 
     def __str__(self) -> str:
         return self.text

@@ -34,7 +34,7 @@ RunStateHeader full_header() {
   description.model = nlohmann::ordered_json::parse(
       R"({"seed": 1, "energy_datum_m": -25.0, "origin_m": [0, 0, 0], "terrain": {"kind": "section"}, "sources": [],
           "releases": [],          "barriers": [{"name": "Fence", "kind": "barrier"}]})");
-  description.warnings = {"one", "two"};
+  description.warnings = {{"one", "two"}, {{.warning = 1, .kind = "mostly_on_ground", .where = "rocks"}}};
   description.crs_wkt = "PROJCS[...]";
   description.sources = {"north", "south"};
   description.maps = {Vec2(2.6e6 + 0.1, 1e-300),

@@ -40,7 +40,7 @@ RunDescription description_of(std::size_t barriers) {
 
 std::string written(const RunDescription& description, const Summary& summary) {
   Text out;
-  write_summary(out, description, {"a file named \xff"}, summary, {.range = {0, 10}, .shard = {}});
+  write_summary(out, description, {{"a file named \xff"}}, summary, {.range = {0, 10}, .shard = {}});
   return out.text;
 }
 
@@ -83,11 +83,16 @@ TEST(SummaryFile, IsReadAsWritten) {
   const sample_run::Folder folder("summary-file");
   Text out;
   const RunCourse course{.range = {2, 8}, .shard = Shard{2, 3}, .missing = {{3, 4}}, .seconds = 0.5, .threads = 2};
-  write_summary(out, description_of(2), {"one"}, summary, course);
+  ToldWarnings warnings{{"one"}};
+  warnings.add({.where = "rocks", .what = "slid", .kind = ProblemKind::mostly_on_ground}, "two");
+  write_summary(out, description_of(2), warnings, summary, course);
   folder.write("summary.json", out.text);
   const RunSummary read = read_run_summary(folder.path / "summary.json");
   EXPECT_EQ(json_of(read).dump(1) + "\n", out.text);
   EXPECT_EQ(read.shard->first_rock, 2U);
+  ASSERT_EQ(read.warning_kinds.size(), 1U);
+  EXPECT_EQ(read.warning_kinds[0].kind, "mostly_on_ground");
+  EXPECT_EQ(read.warnings.at(read.warning_kinds[0].warning), "two");
   EXPECT_EQ(read.barriers[1].hits, 1U);
   EXPECT_EQ(read.statistics[0].second.count, 10U);
   std::vector<std::string> taken;

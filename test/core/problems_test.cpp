@@ -31,6 +31,14 @@ TEST(ProblemText, HasAllPartsInTheOrderFileLineWhereWhatWhyHint) {
             "expected 0 to 1). Did you mean 0.13?");
 }
 
+TEST(ProblemText, HasNoKind) {
+  Problem of_kind = whole_problem();
+  of_kind.kind = ProblemKind::mostly_on_ground;
+  EXPECT_EQ(of_kind.text(), whole_problem().text());
+  EXPECT_EQ(word(of_kind.kind), "mostly_on_ground");
+  EXPECT_EQ(word(whole_problem().kind), "");
+}
+
 TEST(ProblemText, OmitsUnknownParts) {
   EXPECT_EQ(saying("the disk is full").text(), "the disk is full");
   Problem without_line = whole_problem();

@@ -149,13 +149,11 @@ TEST(WarningsOfDesign, ReportWhatLimitsTheBestKitOfALine) {
     return warnings.text();
   };
   const std::string nobody =
-      "warning: design line \"Lower\": no rock crosses it (there is nothing to design a barrier for). Check where the "
-      "line "
+      "warning: line \"Lower\": no rock crosses it (there is nothing to design a barrier for). Check where the line "
       "lies; with few rocks, run more";
-  EXPECT_EQ(warned(),
-            nobody +
-                "\nwarning: design line \"Upper\": no kit catches 95 % of the rocks (890 of 4,501 pass beyond the "
-                "ends of the line: lengthen it)");
+  EXPECT_EQ(warned(), nobody +
+                          "\nwarning: line \"Upper\": no kit catches 95 % of the rocks (890 of 4,501 pass beyond the "
+                          "ends of the line: lengthen it)");
   result.ranking.front().suffices = true;
   result.ranking.front().limit = KitLimit::none;
   EXPECT_EQ(warned(), nobody);
@@ -171,16 +169,19 @@ TEST(WarningsOfDesign, ReportHeightsBelowTheSizeOfTheBlocks) {
   result.lines[0].whole.largest_block = 1.12;
   result.lines[0].whole.demand = KitDemand{100e3, 0, 0.9};
   result.ranking = {KitChoice{.line = 0, .height = 1, .suffices = true, .caught = RockShare{96, 100, 0.96, 0.9, 0.99}}};
+  std::vector<ProblemKind> kinds;
   const auto warned = [&] {
     Problems warnings;
     warn_of_design(plan, result, warnings);
+    for (const Problem& problem : warnings.list()) kinds.push_back(problem.kind);
     return warnings.text();
   };
   const std::string rest =
       " m, less than the largest block that crosses (its diameter is 1.12 m: such a block reaches over the fence even "
       "as it rolls). Take at least that height, or a higher percentile";
-  EXPECT_EQ(warned(), "warning: design line \"Upper\": the height that a fence must have is 0.90" + rest +
-                          "\nwarning: design line \"Upper\": the kit's height is 1.00" + rest);
+  EXPECT_EQ(warned(), "warning: line \"Upper\": the height that a fence must have is 0.90" + rest +
+                          "\nwarning: line \"Upper\": the kit's height is 1.00" + rest);
+  EXPECT_EQ(kinds, (std::vector{ProblemKind::height_below_block, ProblemKind::kit_below_block}));
   result.lines[0].whole.demand->height = 1.12;
   result.ranking.front().height = 2;
   EXPECT_EQ(warned(), "");

@@ -137,6 +137,15 @@ TEST_F(AskedLines, AnswerManyAtOnceAsOneByOne) {
   EXPECT_EQ(many["lines"][2]["problems"][0]["what"], "does not touch the terrain");
 }
 
+// By kind and place, as in the summary of a run, so that programs find what is said twice.
+TEST_F(AskedLines, DoubtsHaveKinds) {
+  const Json asked = answer({{"barrier", "Fence"}, {"height_m", 0.01}, {"energy_kJ", 100}});
+  ASSERT_FALSE(asked["problems"].empty());
+  EXPECT_EQ(asked["problems"].back()["kind"], "kit_below_block");
+  EXPECT_EQ(asked["problems"].back()["where"], "line \"Fence\"");
+  EXPECT_EQ(answer({{"polygon", {{-1, -1}, {30, -1}, {30, 51}, {-1, 51}}}})["problems"][0]["kind"], "");
+}
+
 TEST_F(AskedLines, OfAPolygonCountWhatEntersAndStops) {
   const Json asked = answer({{"polygon", {{-1, -1}, {30, -1}, {30, 51}, {-1, 51}}}});
   EXPECT_EQ(asked["kind"], "polygon");

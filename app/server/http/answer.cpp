@@ -38,6 +38,7 @@ Json as_json(const Problems& all) {
   for (Problem problem : problems.list()) {
     problem.option.clear();  // a page has no command line
     list.push_back({{"severity", problem.severity == Severity::error ? "error" : "warning"},
+                    {"kind", word(problem.kind)},
                     {"file", problem.file},
                     {"line", problem.line},
                     {"path", problem.path},

@@ -51,7 +51,8 @@ Json head_of(const RunDescription& description) {
     json["store_bytes"] = *description.store_bytes;
     json["store_rocks"] = description.store_rocks;
   }
-  json["warnings"] = description.warnings;
+  json["warnings"] = description.warnings.texts;
+  if (!description.warnings.kinds.empty()) json["warning_kinds"] = json_of(description.warnings.kinds);
   if (const auto& maps = description.maps) {
     json["maps"] = {{"origin", {maps->origin.x(), maps->origin.y()}},
                     {"cell", {maps->cell.x(), maps->cell.y()}},
@@ -114,7 +115,8 @@ RunDescription read(const Json& json) {
     description.store_bytes = json.at("store_bytes").get<std::uint64_t>();
     json.at("store_rocks").get_to(description.store_rocks);
   }
-  json.at("warnings").get_to(description.warnings);
+  json.at("warnings").get_to(description.warnings.texts);
+  if (json.contains("warning_kinds")) read_json(json.at("warning_kinds"), {}, description.warnings.kinds);
   description.project = json.at("project");
   description.model = json.at("model");
   if (json.contains("maps")) {

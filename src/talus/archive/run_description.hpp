@@ -30,18 +30,18 @@ struct RunDescription {
   std::uint64_t paths_revision = 0;  // campaign/paths_revision.hpp; 0: of a program without
   /// Hash of some trajectories: machines or builds of the program with the same hash compute the same bits.
   std::string sample;
-  std::uint64_t rocks = 0;            // of the whole campaign
-  std::size_t barriers = 0;           // number of barriers and collectors
-  nlohmann::ordered_json project;     // complete, with defaults
-  nlohmann::ordered_json model;       // model_json()
-  std::vector<std::string> warnings;  // known before the run
-  std::string crs_wkt;                // of the user coordinates; empty: unknown
-  std::vector<std::string> sources;   // their names
-  std::optional<MapPlan> maps;        // nullopt: no maps
-  std::optional<DesignPlan> design;   // nullopt: no design of barriers
-  bool wants_maps = false;            // on 3D terrain
-  bool wants_envelopes = false;       // along a section
-  bool wants_geopackage = false;      // on 3D terrain only
+  std::uint64_t rocks = 0;           // of the whole campaign
+  std::size_t barriers = 0;          // number of barriers and collectors
+  nlohmann::ordered_json project;    // complete, with defaults
+  nlohmann::ordered_json model;      // model_json()
+  ToldWarnings warnings;             // known before the run
+  std::string crs_wkt;               // of the user coordinates; empty: unknown
+  std::vector<std::string> sources;  // their names
+  std::optional<MapPlan> maps;       // nullopt: no maps
+  std::optional<DesignPlan> design;  // nullopt: no design of barriers
+  bool wants_maps = false;           // on 3D terrain
+  bool wants_envelopes = false;      // along a section
+  bool wants_geopackage = false;     // on 3D terrain only
   bool wants_report = true;
   ReportInputs inputs;  // of the first process only
   // The store of trajectories, at most: its bytes, about, and its rocks; nullopt: no store.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "talus/core/problems.hpp"
 #include "talus/files/json_file.hpp"
 
 namespace talus {
@@ -38,6 +37,12 @@ JsonValue parse_summary(const std::filesystem::path& file, const std::function<v
 }
 
 }  // namespace
+
+void ToldWarnings::add(const Problem& problem, std::string text) {
+  if (problem.kind != ProblemKind::other)
+    kinds.push_back({texts.size(), std::string(word(problem.kind)), problem.where});
+  texts.push_back(std::move(text));
+}
 
 std::optional<FieldFault> HistogramCounts::fault() const {
   if (width > 0) return std::nullopt;

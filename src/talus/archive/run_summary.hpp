@@ -14,6 +14,7 @@
 
 #include "talus/archive/json_fields.hpp"
 #include "talus/barriers/barrier.hpp"
+#include "talus/core/problems.hpp"
 #include "talus/seeding/release_order.hpp"
 
 namespace talus {
@@ -206,6 +207,24 @@ struct ReportInputs {
   [[nodiscard]] std::optional<FieldFault> fault() const;
 };
 
+/// A warning of a kind (core/problems.hpp), for programs.
+struct WarningKind {
+  std::uint64_t warning = 0;  // in the list of warnings
+  std::string kind{}, where{};
+  static auto fields() {
+    using K = WarningKind;
+    return std::tuple(field("warning", &K::warning), field("kind", &K::kind), field("where", &K::where));
+  }
+};
+
+/// Warnings as texts, and the kinds of those that have one.
+struct ToldWarnings {
+  std::vector<std::string> texts{};
+  std::vector<WarningKind> kinds{};
+  /// `text`: as it is told.
+  void add(const Problem& problem, std::string text);
+};
+
 /// How far all rocks have come [m].
 struct WaysSummary {
   double flown_m = 0, on_ground_m = 0;  // on the ground: slid or rolled
@@ -284,7 +303,9 @@ struct RunSummary : RunIdentity {
   std::vector<SourceRocks> sources{};
   std::vector<SeederReleases> releases{};         // in the order of the rocks
   std::optional<std::uint64_t> parameter_sets{};  // different ones of the ensembles, if there are ensembles
-  std::vector<std::string> warnings{}, notes{};
+  std::vector<std::string> warnings{};
+  std::vector<WarningKind> warning_kinds{};
+  std::vector<std::string> notes{};
   double energy_datum_m = 0;         // z in user coordinates at which potential energy is zero
   std::array<double, 3> origin_m{};  // origin for the quantiles of positions
   TerrainSummary terrain{};
@@ -301,7 +322,8 @@ struct RunSummary : RunIdentity {
         field("statistics", &S::statistics), field("histograms", &S::histograms),
         field_if_any("trajectories", &S::trajectories), field("barriers", &S::barriers),
         field_if_any("design", &S::design), field("sources", &S::sources), field_if_any("releases", &S::releases),
-        field_if_any("parameter_sets", &S::parameter_sets), field("warnings", &S::warnings), field("notes", &S::notes),
+        field_if_any("parameter_sets", &S::parameter_sets), field("warnings", &S::warnings),
+        field_if_any("warning_kinds", &S::warning_kinds), field("notes", &S::notes),
         field("energy_datum_m", &S::energy_datum_m), field("origin_m", &S::origin_m), field("terrain", &S::terrain),
         field("project", &S::project), field_if_any("inputs", &S::inputs), field("timings", &S::timings));
   }

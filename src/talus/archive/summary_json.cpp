@@ -152,10 +152,11 @@ Statistics statistics_of(const Tally& tally) {
           .percentiles = {quantile(0.95), quantile(0.99)}};
 }
 
-void write_summary(TextSink& out, const RunDescription& description, const std::vector<std::string>& warnings,
-                   const Summary& sums, const RunCourse& course, const DesignResult* design) {
+void write_summary(TextSink& out, const RunDescription& description, const ToldWarnings& warnings, const Summary& sums,
+                   const RunCourse& course, const DesignResult* design) {
   RunSummary summary = run_summary(description, sums, course);
-  summary.warnings = warnings;
+  summary.warnings = warnings.texts;
+  summary.warning_kinds = warnings.kinds;
   if (description.design && design != nullptr)
     summary.design = std::make_shared<const Json>(design_json(*description.design, *design));
   bool is_first = true;

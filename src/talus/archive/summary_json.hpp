@@ -28,7 +28,7 @@ struct RunCourse {
 /// Everything except `timings` depends only on the project, the seed and the rocks done. `warnings` are all warnings of
 /// the run, including those of the description. Expects `design` if the description has a plan for it. Written piece by
 /// piece, because there may be very many barriers; barriers without hits have no statistics and histograms.
-void write_summary(TextSink& out, const RunDescription& description, const std::vector<std::string>& warnings,
+void write_summary(TextSink& out, const RunDescription& description, const ToldWarnings& warnings,
                    const Summary& summary, const RunCourse& course, const DesignResult* design = nullptr);
 
 [[nodiscard]] WaysSummary ways_of(const Summary& sums);

@@ -4,6 +4,20 @@
 
 namespace talus {
 
+std::string_view word(ProblemKind kind) {
+  switch (kind) {
+    case ProblemKind::mostly_on_ground:
+      return "mostly_on_ground";
+    case ProblemKind::height_below_block:
+      return "height_below_block";
+    case ProblemKind::kit_below_block:
+      return "kit_below_block";
+    case ProblemKind::other:
+      break;
+  }
+  return "";
+}
+
 std::string Problem::text() const {
   std::string out;
   if (!file.empty()) {

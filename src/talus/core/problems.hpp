@@ -1,13 +1,25 @@
 #pragma once
 // Errors and warnings about input: collected, so that a user sees all of them at once.
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace talus {
 
 enum class Severity { warning, error };
+
+/// Problems that programs tell from others, beside those of the settings, which have a path.
+enum class ProblemKind : std::uint8_t {
+  other,
+  mostly_on_ground,    // most of the way of a run's rocks was slid or rolled
+  height_below_block,  // a fence of the height that the check asks for is lower than the largest block at its line
+  kit_below_block,     // a kit is lower than that block
+};
+/// For files and programs: the name above; empty for others.
+[[nodiscard]] std::string_view word(ProblemKind kind);
 
 /// One message. Printed as `file:line: where: problem (why). hint with option`, without the parts that are empty.
 struct Problem {
@@ -20,6 +32,7 @@ struct Problem {
   std::string hint;    // what would fix it
   std::string path;    // of the setting in a project, for programs: `material.0.roughness_deg`; not part of the text
   std::string option;  // of the command line with which to follow the hint, for example `-o`
+  ProblemKind kind = ProblemKind::other;  // for programs
   [[nodiscard]] std::string text() const;
 };
 

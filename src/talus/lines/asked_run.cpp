@@ -33,7 +33,7 @@ Json AskedRun::head() const { return {{"run", {{"rocks", paths_->simulated()}, {
 RunAnswer AskedRun::line(const project::DesignBasis& basis, const AskedLine& line, const AnswerOptions& options) const {
   const LineAnswer answer = ask_lines(model_, basis, *paths_, std::span(&line, 1)).front();
   RunAnswer all{head(), {}, warnings_};
-  const std::string where = line.of_model ? fmt::format("\"{}\"", line.barrier.name) : "line";
+  const std::string where = line.of_model ? fmt::format("line \"{}\"", line.barrier.name) : "line";
   doubt_needed_height(where, answer.result.whole, all.warnings);
   if (options.kit) doubt_kit_height(where, options.kit->height, answer.result.whole, all.warnings);
   all.json.update(line_json(model_, line, answer, sources_, options));

@@ -143,7 +143,7 @@ RunResult run_into(const std::filesystem::path& folder, const Project& project, 
   }
   Problems doubts;
   if (const auto found = compare_models(project, model, options.campaign.threads)) warn_of_other_model(*found, doubts);
-  for (const Problem& doubt : doubts.list()) description.warnings.push_back(doubt.text());
+  for (const Problem& doubt : doubts.list()) description.warnings.add(doubt, doubt.text());
   // Before anything of an earlier run is changed.
   check_that_results_have_room(folder, description, options.shard);
   description.inputs = report_inputs(project);

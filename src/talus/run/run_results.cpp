@@ -174,7 +174,7 @@ void identify(RunDescription& description, const Project& project, const Model& 
   description.sample = sample_of(model);
   description.model = model_json(model);
   for (const Problem& problem : warnings.list())
-    description.warnings.push_back(with_relative_paths(problem.text(), project.file.parent_path()));
+    description.warnings.add(problem, with_relative_paths(problem.text(), project.file.parent_path()));
 }
 
 RunDescription describe(const Project& project, const Model& model, const Problems& warnings) {
@@ -269,8 +269,8 @@ Findings findings_of(const RunDescription& description, const RunSums& sums, con
 
 void write_summary(TextSink& out, const RunDescription& description, const Problems& found,
                    const std::optional<DesignResult>& design, const RunSums& sums, const RunCourse& course) {
-  std::vector<std::string> warnings = description.warnings;
-  for (const Problem& problem : found.list()) warnings.push_back(problem.text());
+  ToldWarnings warnings = description.warnings;
+  for (const Problem& problem : found.list()) warnings.add(problem, problem.text());
   talus::write_summary(out, description, warnings, sums.summary(), course, design ? &*design : nullptr);
 }
 

@@ -108,7 +108,7 @@ void warn_of_collectors(const RunDescription& description, const Summary& summar
 }
 
 void warn_of_design(const DesignPlan& plan, const DesignResult& result, Problems& warnings) {
-  const auto name_of = [&](std::size_t line) { return fmt::format("design line \"{}\"", plan.lines[line].name); };
+  const auto name_of = [&](std::size_t line) { return fmt::format("line \"{}\"", plan.lines[line].name); };
   const auto warn = [&](std::size_t line, std::string what, std::string why, std::string hint) {
     warnings.add({.severity = Severity::warning,
                   .where = name_of(line),

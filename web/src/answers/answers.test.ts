@@ -105,13 +105,29 @@ test('models disagree if their intervals are apart; without an upper end, by mor
 const known = { answer: null, whatIf: null, summary: null, isOutdated: false };
 test('doubts, the most serious first', () => {
   const summary = { notes: ['120 of 1,000 rocks left the model: runout is cut'], warnings: ['a.toml:3: warning: no seed'], end_reasons: {} } as unknown as Summary;
-  const ground = { what: '80 % of the way of all rocks was slid or rolled', why: 'blocks bounce', hint: 'Look at roughness_deg', text: '' };
+  const ground = { kind: 'mostly_on_ground', where: 'rocks', what: '80 % of the way was on the ground', why: 'blocks bounce', hint: 'Look at roughness_deg', text: '' };
   const answer = { ...line(0.4), problems: [ground] } as unknown as LineAnswer;
   const found = doubtsOf({ answer, whatIf: varied, summary, isOutdated: true });
   expect(found.map(({ kind }) => kind)).toEqual(['outdated', 'models', 'height', 'ground', 'left', 'run']);
   expect(found[1]!.text).toBe('Rock models disagree by more than chance: the 95 % height is 0.4 m with lumped mass (this run) and 4.7 m with sphere; the share that passes is 10 % with lumped mass (this run) and 0 % with shape.');
   expect(found[2]!.text).toContain('less than the diameter of the largest block that crosses, 0.5 m');
   expect(found[5]!.text).toBe('No seed');
+});
+test('a warning of the run is left out where the answer has one of the same kind about the same thing', () => {
+  const summary = {
+    warnings: ['warning: rocks: they slid', 'warning: line "Road": too low', 'warning: line "Path": too low', 'warning: no seed'],
+    warning_kinds: [
+      { warning: '0', kind: 'mostly_on_ground', where: 'rocks' },
+      { warning: '1', kind: 'height_below_block', where: 'line "Road"' },
+      { warning: '2', kind: 'height_below_block', where: 'line "Path"' },
+    ],
+  } as unknown as Summary;
+  const ofKind = (kind: string, where: string, what: string) => ({ kind, where, what, why: '', hint: '', text: '' });
+  const answer = { ...line(0.7), problems: [ofKind('height_below_block', 'line "Road"', 'the road'), ofKind('', 'line', 'parts off the terrain')] } as unknown as LineAnswer;
+  const texts = (of: LineAnswer | null) => doubtsOf({ ...known, answer: of, summary }).map(({ kind, text }) => `${kind}: ${text}`);
+  expect(texts(answer)).toEqual(['height: The road.', 'ground: Rocks: they slid', 'place: Parts off the terrain.', 'run: Line "Path": too low', 'run: No seed']);
+  expect(texts({ ...answer, problems: [ofKind('mostly_on_ground', 'rocks', 'slid')] } as unknown as LineAnswer)[0]).toBe('ground: Slid.');
+  expect(texts(null)).toHaveLength(4);
 });
 test('no doubt where models agree, heights are above the block and nothing was warned of', () => {
   expect(doubtsOf({ ...known, answer: line(0.7), whatIf: whatIf([set('model', null, figures(0.11, 0.8), 'rigid_sphere')]) })).toEqual([]);

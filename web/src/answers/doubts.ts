@@ -2,7 +2,7 @@
 
 import type { AskedAnswer, Interval, LineAnswer } from '../api/line';
 import type { Summary } from '../api/results';
-import type { Problem } from '../api/types';
+import type { Problem, ProblemKind } from '../api/types';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { percentText } from '../askLine/kit';
 import { modelsOf, type SpreadFigure } from '../askLine/spread';
@@ -90,6 +90,11 @@ function modelDoubt(whatIf: WhatIfAnswer, answer: AskedAnswer | null): Doubt | n
   };
 }
 
+const kinds: Partial<Record<string, DoubtKind>> = {
+  mostly_on_ground: 'ground',
+  height_below_block: 'height',
+  kit_below_block: 'height',
+} satisfies Partial<Record<ProblemKind, DoubtKind>>;
 const problemDoubt = (kind: DoubtKind, { what, why, hint, text }: Problem): Doubt => ({
   kind,
   text: what ? `${capital(what)}${why && `: ${why}`}.` : text,
@@ -114,29 +119,38 @@ function heightDoubt(of: LineAnswer): Doubt | null {
   };
 }
 
-/// From the warnings that the server has for this place.
-const isOfHeight = ({ what }: Problem) => what.includes('largest block');
-const isOfGround = ({ what }: Problem) => what.includes('slid or rolled');
+interface Warning {
+  text: string;
+  kind: string;
+  where: string;
+}
+/// The warnings of the run, without those that the answer repeats for its place.
+function warningsOf(summary: Summary | null, said: readonly Problem[]): Warning[] {
+  const kinds = new Map((summary?.warning_kinds ?? []).map((each) => [Number(each.warning), each]));
+  return (summary?.warnings ?? [])
+    .map((text, k): Warning => ({ text: warningText(text), kind: kinds.get(k)?.kind ?? '', where: kinds.get(k)?.where ?? '' }))
+    .filter(({ kind, where }) => kind === '' || !said.some((one) => one.kind === kind && one.where === where));
+}
 
 export function doubtsOf({ answer, whatIf, summary, isOutdated }: Known): Doubt[] {
   const problems = answer?.problems ?? [];
-  const ofHeight = problems.filter(isOfHeight).map((each) => problemDoubt('height', each));
-  const ofGround = problems.filter(isOfGround).map((each) => problemDoubt('ground', each));
-  const others = problems.filter((each) => !isOfHeight(each) && !isOfGround(each)).map((each) => problemDoubt('place', each));
+  const found = problems.map((each) => problemDoubt(kinds[each.kind] ?? 'place', each));
+  const of = (kind: DoubtKind) => found.filter((each) => each.kind === kind);
+  const ofHeight = of('height');
   const own = answer && answer.kind !== 'polygon' && ofHeight.length === 0 ? heightDoubt(answer) : null;
-  const said = [...ofHeight, ...ofGround, ...others].map(({ text }) => text);
   const notes = (summary?.notes ?? []).map((note): Doubt => ({ kind: 'left', text: `${capital(note)}.`, advice: 'Extend the terrain, unless it ends behind what is protected.' }));
-  const warnings = (summary?.warnings ?? []).map(warningText).filter((text) => !said.some((one) => text.includes(one.slice(0, 40))));
-  const isOfWays = (text: string) => text.includes('slid or rolled');
+  const warnings = warningsOf(summary, problems);
+  const isOfGround = ({ kind }: Warning) => kinds[kind] === 'ground';
+  const ofRun = (kind: DoubtKind, of: readonly Warning[]) => of.map(({ text }): Doubt => ({ kind, text, advice: '' }));
   return [
     ...(isOutdated ? [{ kind: 'outdated', text: 'These answers are of an earlier version of the project.', advice: 'Compute again.' } as const] : []),
     ...(whatIf ? [modelDoubt(whatIf, answer) ?? []].flat() : []),
     ...ofHeight,
     ...(own ? [own] : []),
-    ...ofGround,
-    ...(ofGround.length > 0 ? [] : warnings.filter(isOfWays).map((text): Doubt => ({ kind: 'ground', text, advice: '' }))),
+    ...of('ground'),
+    ...ofRun('ground', warnings.filter(isOfGround)),
     ...notes,
-    ...others,
-    ...warnings.filter((text) => !isOfWays(text)).map((text): Doubt => ({ kind: 'run', text, advice: '' })),
+    ...of('place'),
+    ...ofRun('run', warnings.filter((each) => !isOfGround(each))),
   ];
 }

@@ -45,6 +45,8 @@ export interface Summary {
   };
   talus?: { version: string };
   warnings: string[];
+  /// Of the warnings that have one, by their place in the list.
+  warning_kinds?: { warning: NumberText; kind: string; where: string }[];
   notes?: string[];
   timings: { seconds: NumberText; rocks_per_second: NumberText; threads: NumberText };
 }

@@ -11,8 +11,11 @@ export interface About {
   limits: { upload_bytes: number; project_bytes: number };
 }
 
+/// Problems that are told from others; empty: none of these.
+export type ProblemKind = '' | 'mostly_on_ground' | 'height_below_block' | 'kit_below_block';
 export interface Problem {
   severity: 'warning' | 'error';
+  kind: ProblemKind;
   file: string;
   line: number;
   path: string;
