@@ -7,6 +7,7 @@
 #include "memory_run.hpp"
 #include "prepared_model.hpp"
 #include "problems.hpp"
+#include "progress.hpp"
 #include "talus/core/memory_reserve.hpp"
 
 namespace talus::python {
@@ -23,42 +24,28 @@ PreparedPointer prepare(std::shared_ptr<GivenProject> given) {
 
 /// Returns the run, and the exception that stopped it or None.
 py::tuple run(const PreparedModel& model, std::vector<std::string> settings, std::optional<std::int64_t> rocks,
-              std::optional<std::uint64_t> seed, int threads, const std::optional<py::function>& progress) {
+              std::optional<std::uint64_t> seed, int threads, const Progress& progress) {
   const project::Overrides overrides{std::move(settings), rocks, seed};
   std::shared_ptr<MemoryRun> run;
-  std::atomic<std::uint64_t> done{0}, planned{0};
+  Course course;
   const auto work = [&](const std::atomic<bool>& stop) {
     std::shared_ptr<MemoryRun> begun;
     const auto site = model.site_with(overrides);
-    planned = site->model.rocks();
+    course.planned = site->model.rocks();
     try {
       begun = std::make_shared<MemoryRun>(site);
     } catch (const std::bad_alloc&) {
       throw OutOfMemory(fmt::format(
           "not enough memory for the end points of {} rocks (keep fewer, with output={{\"endpoints\": N}}, or run the "
           "project with the program)",
-          planned.load()));
+          course.planned.load()));
     }
-    begun->simulate(threads, stop, done);
+    begun->simulate(threads, stop, course.done);
     run = std::move(begun);
   };
-  std::uint64_t reported = 0;
-  const auto report = [&] {
-    if (!progress || planned == 0 || done == reported) return;
-    reported = done;
-    (*progress)(reported, planned.load());
-  };
-  const std::exception_ptr interruption = do_away(work, report);
+  const std::exception_ptr interruption = do_and_tell(work, course, progress);
   if (interruption && !run) std::rethrow_exception(interruption);
-  if (!interruption) {
-    report();
-    return py::make_tuple(run, py::none());
-  }
-  try {
-    std::rethrow_exception(interruption);
-  } catch (py::error_already_set& error) {
-    return py::make_tuple(run, error.value());
-  }
+  return py::make_tuple(run, interruption_object(interruption));
 }
 
 }  // namespace

@@ -9,9 +9,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "away.hpp"
 #include "bindings.hpp"
 #include "problems.hpp"
+#include "progress.hpp"
 #include "talus/calibration/calibrate_models.hpp"
 #include "talus/calibration/result_files.hpp"
 #include "talus/sensitivity/output.hpp"
@@ -21,24 +21,11 @@ namespace talus::python {
 namespace {
 
 using Path = std::filesystem::path;
-using Progress = std::optional<py::function>;
 
-/// How far the work is, as its threads report it.
-struct Course {
-  std::atomic<std::uint64_t> done{0}, planned{0};
-};
-
-/// Does the work, and reports its course. Throws what interrupts it: what is finished is in the folder.
+/// Does the work. Throws what interrupts it: what is finished is in the folder.
 void do_and_report(const std::function<void()>& work, const Course& course, const Progress& progress) {
-  std::uint64_t reported = 0;
-  const auto report = [&] {
-    if (!progress || course.planned == 0 || course.done == reported) return;
-    reported = course.done;
-    (*progress)(reported, course.planned.load());
-  };
-  const std::exception_ptr interruption = do_away([&](const std::atomic<bool>&) { work(); }, report);
+  const std::exception_ptr interruption = do_and_tell([&](const std::atomic<bool>&) { work(); }, course, progress);
   if (interruption) std::rethrow_exception(interruption);
-  report();
 }
 
 calibration::CalibrationResult calibrate_one(const calibration::Study& study, const calibration::StudyModel* model,

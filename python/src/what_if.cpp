@@ -5,17 +5,16 @@
 #include <pybind11/functional.h>
 #include <pybind11/stl.h>
 
-#include <atomic>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "asked.hpp"
-#include "away.hpp"
 #include "bindings.hpp"
 #include "prepared_model.hpp"
 #include "problems.hpp"
+#include "progress.hpp"
 #include "talus/lines/what_if_output.hpp"
 #include "talus/model/design_plan.hpp"
 
@@ -40,12 +39,12 @@ what_if::AskedPlace place_in(const Model& model, const std::optional<GivenPlace>
 
 /// The answer as JSON and as the text of its table, the warnings, and the exception that stopped it or None.
 py::tuple ask(const PreparedModel& prepared, const std::optional<GivenPlace>& place, const WhatIfChoice& choice,
-              const std::optional<py::function>& progress) {
+              const Progress& progress) {
   const Site& site = *prepared.site();
   Problems warnings = site.warnings;
   std::optional<what_if::WhatIf> asked;
   std::optional<std::pair<std::string, std::string>> answer;
-  std::atomic<std::uint64_t> done{0}, planned{0};
+  Course course;
   const auto work = [&](const std::atomic<bool>&) {
     what_if::FactorChoice factors{.material = choice.material, .models = choice.models};
     if (choice.steps) {
@@ -58,33 +57,17 @@ py::tuple ask(const PreparedModel& prepared, const std::optional<GivenPlace>& pl
                                       .rocks = choice.rocks,
                                       .seconds = choice.seconds,
                                       .progress = [&](std::uint64_t rocks, std::uint64_t all) {
-                                        planned = all;
-                                        done = rocks;
+                                        course.planned = all;
+                                        course.done = rocks;
                                       }};
     static_cast<void>(asked->run(options));
     const what_if::Answer found = asked->answer();
     answer.emplace(json_of(*asked, found).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
                    table_of(*asked, found));
   };
-  std::uint64_t reported = 0;
-  const auto report = [&] {
-    if (!progress || planned == 0 || done == reported) return;
-    reported = done;
-    (*progress)(reported, planned.load());
-  };
-  const std::exception_ptr interruption = do_away(work, report);
+  const std::exception_ptr interruption = do_and_tell(work, course, progress);
   if (interruption && !answer) std::rethrow_exception(interruption);
-  py::object stopped_by = py::none();
-  if (!interruption) {
-    report();
-  } else {
-    try {
-      std::rethrow_exception(interruption);
-    } catch (py::error_already_set& error) {
-      stopped_by = error.value();
-    }
-  }
-  return py::make_tuple(answer->first, answer->second, as_python(warnings), stopped_by);
+  return py::make_tuple(answer->first, answer->second, as_python(warnings), interruption_object(interruption));
 }
 
 }  // namespace
@@ -94,8 +77,7 @@ void bind_what_if(py::module_& module) {
       "what_if",
       [](const PreparedModel& model, const std::optional<GivenPlace>& place,
          std::optional<std::vector<std::pair<std::string, double>>> steps, std::string material, bool models,
-         std::optional<std::uint64_t> rocks, std::optional<double> seconds, int threads,
-         const std::optional<py::function>& progress) {
+         std::optional<std::uint64_t> rocks, std::optional<double> seconds, int threads, const Progress& progress) {
         return ask(
             model, place,
             {std::move(steps), std::move(material), models, rocks.value_or(what_if::most_rocks), seconds, threads},
