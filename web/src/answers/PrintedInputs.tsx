@@ -11,6 +11,16 @@ import { blockShape, releaseText } from './sheetReleases';
 const [mostSeeders, mostMaterials, mostSources, mostFiles] = [4, 5, 4, 5];
 const inReport = 'in report.html of the run';
 
+/// "and 3 more files, in report.html of the run": how many are left out after the first ones.
+function Rest({ of, after, what }: { of: readonly unknown[]; after: number; what: string }) {
+  if (of.length <= after) return null;
+  return (
+    <p>
+      and {counted(of.length - after, `more ${what}`)}, {inReport}
+    </p>
+  );
+}
+
 function Model({ of: { project, rocks, seed } }: { of: Summary }) {
   const part = rocks.done !== rocks.planned ? ` of ${numberText(Number(rocks.planned))} planned` : '';
   return (
@@ -51,11 +61,7 @@ function Blocks({ of: { project, releases } }: { of: Summary }) {
           ))}
         </tbody>
       </table>
-      {seeders.length > mostSeeders && (
-        <p>
-          and {counted(seeders.length - mostSeeders, 'more seeder')}, {inReport}
-        </p>
-      )}
+      <Rest of={seeders} after={mostSeeders} what="seeder" />
     </section>
   );
 }
@@ -91,11 +97,7 @@ function Ground({ of: { project, inputs } }: { of: Summary }) {
           ))}
         </tbody>
       </table>
-      {rows.length > mostMaterials && (
-        <p>
-          and {counted(rows.length - mostMaterials, 'more material')}, {inReport}
-        </p>
-      )}
+      <Rest of={rows} after={mostMaterials} what="material" />
       {firstOf(texts.map((text, k) => `[${k + 1}] ${text}`), mostSources, inReport).map((text) => (
         <p key={text} class="source">
           {text}
@@ -122,11 +124,7 @@ function Files({ of: { inputs } }: { of: Summary }) {
           ))}
         </tbody>
       </table>
-      {files.length > mostFiles && (
-        <p>
-          and {counted(files.length - mostFiles, 'more file')}, {inReport}
-        </p>
-      )}
+      <Rest of={files} after={mostFiles} what="file" />
     </section>
   );
 }
