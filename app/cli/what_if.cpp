@@ -17,6 +17,7 @@
 #include "talus/archive/design_json.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/files/output_file.hpp"
+#include "talus/lines/line_json.hpp"
 #include "talus/lines/what_if.hpp"
 #include "talus/lines/what_if_output.hpp"
 
@@ -55,30 +56,42 @@ what_if::Step step_of(const std::string& text) {
   return {text.substr(0, equals), percent / 100};
 }
 
-constexpr const char* row_format = "{:<24}{:>14}  {:<28}{:<32}{:<28}{:<28}\n";
+/// "1,240 kJ, class 3, 4.2 m"
+std::string fence_text(const std::optional<KitDemand>& demand) {
+  if (!demand) return "none";
+  return fmt::format("{} kJ, class {}, {:.2f} m", three_digits(demand->maximum_energy / kJ), demand->kit_class,
+                     demand->height);
+}
+
+constexpr const char* row_format = "{:<24}{:>14}  {:<28}{:<32}{:<28}{:<28}{}\n";
 void print_table(const what_if::WhatIf& asked, const what_if::Answer& answer) {
   const bool is_line = std::holds_alternative<AskedLine>(asked.place());
   fmt::print("{} of {} rocks in each set; {} with the project's own values\n", grouped(answer.rocks),
              grouped(answer.planned), fmt::format("{} {}", grouped(answer.base.rocks), is_line ? "cross" : "enter"));
   const std::string p = fmt::format("{:g} %", asked.percentile());
+  const std::string fence_title = !is_line                   ? ""
+                                  : asked.standard().empty() ? "fence, without factors"
+                                                             : "fence by " + asked.standard();
   fmt::print(row_format, "", "", "share", p + (asked.takes_total_energy() ? " total energy" : " translational energy"),
-             p + " height", p + " velocity");
+             p + " height", p + " velocity", fence_title);
   const auto of = [&](const auto& percentile, what_if::Asked quantity, double unit, const char* name, bool is_change) {
     return estimate_text(percentile[what_if::place_of(quantity)], unit, name, is_change);
   };
   const auto print_row = [&](std::string_view title, const std::string& step, const std::string& share_text,
-                             const auto& percentile, bool is_change) {
+                             const auto& percentile, bool is_change, const std::optional<KitDemand>& demand) {
     fmt::print(row_format, title, step, share_text, of(percentile, asked.energy(), kJ, "kJ", is_change),
                of(percentile, what_if::Asked::height, 1, "m", is_change),
-               of(percentile, what_if::Asked::velocity, 1, "m/s", is_change));
+               of(percentile, what_if::Asked::velocity, 1, "m/s", is_change), is_line ? fence_text(demand) : "");
   };
-  print_row("base", "", share_text(answer.base.share), answer.base.percentile, false);
-  fmt::print("changes, for the same rocks (confidence {:g} %):\n", 100 * asked.confidence());
+  print_row("base", "", share_text(answer.base.share), answer.base.percentile, false, answer.base.demand);
+  fmt::print("changes, for the same rocks (confidence {:g} %){}:\n", 100 * asked.confidence(),
+             is_line ? ", and the fence then" : "");
   for (std::size_t k = 0; k < answer.variations.size(); ++k) {
     const what_if::Variation& variation = asked.variations()[k];
     const what_if::Differences& change = answer.variations[k].differences;
     print_row(what_if::title_of(variation), what_if::step_text(variation),
-              estimate_text(change.share, percent, "%", true), change.percentile, true);
+              estimate_text(change.share, percent, "%", true), change.percentile, true,
+              answer.variations[k].figures.demand);
     if (!variation.clipped.empty()) fmt::print("    clipped: {}\n", variation.clipped);
   }
 }

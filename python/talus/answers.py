@@ -28,6 +28,10 @@ class Kit(NamedTuple):
     energy_kJ: float
     height_m: float
 
+    @classmethod
+    def _of(cls, given: dict[str, Any] | None) -> Kit | None:
+        return given and cls(given["class"], given["energy_J"] / 1000, given["height_m"])
+
 
 class KitAnswer(NamedTuple):
     """What a kit on the line would stop."""
@@ -168,9 +172,8 @@ class LineAnswer(_Answer):
 
     @property
     def needs(self) -> Kit | None:
-        """The kit that the standard asks for; None: no rock crosses, or there is no such kit."""
-        found = self.json["whole"]["needs"]
-        return found and Kit(found["class"], found["energy_kJ"], found["height_m"])
+        """The kit that the standard asks for; None: no rock crosses."""
+        return Kit._of(self.json["whole"]["needs"])
 
     @property
     def kit(self) -> KitAnswer | None:

@@ -9,6 +9,7 @@ import os
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple
 
 from . import _talus
+from .answers import Kit
 from .estimates import Estimate
 from .overrides import whole_or_none
 from .places import place_of
@@ -39,12 +40,14 @@ class Figures(NamedTuple):
     """Design percentile of the runout on plan of all rocks; as a change NaN."""
     left: Estimate
     """Share of all rocks that leave the model; as a change NaN."""
+    needs: Kit | None
+    """The kit that the standard asks for at a line, with its factors; None: no rock crosses, or as a change."""
 
     @classmethod
     def _of(cls, given: dict[str, Any]) -> Figures:
         return cls(Estimate._of(given["share"]), Estimate._of(given["energy_J"], 1000), Estimate._of(given["height_m"]),
                    Estimate._of(given["velocity_m_s"]), Estimate._of(given.get("runout_m")),
-                   Estimate._of(given.get("left")))
+                   Estimate._of(given.get("left")), Kit._of(given.get("needs")))
 
 
 class Variation(NamedTuple):
@@ -103,6 +106,11 @@ class WhatIf:
         return self.json["energy"]
 
     @property
+    def standard(self) -> str:
+        """Whose factors the kits of the figures contain; empty: none."""
+        return self.json["standard"] or ""
+
+    @property
     def base(self) -> Figures:
         """With the project's own values."""
         return Figures._of(self.json["base"])
@@ -133,11 +141,15 @@ class WhatIf:
         return f"<talus.WhatIf of {len(self.variations)} variations, {self.rocks} of {self.planned} rocks in each>"
 
     def _repr_html_(self) -> str:
-        head = ("", "step", "share [%]", f"energy [kJ], {self.energy_kind}", "height [m]", "velocity [m/s]")
-        rows = [head, ("own values", "", *_cells(self.base, ""))]
-        rows += [(each.factor, each.changes if each.step is None else f"{100 * each.step:+g} %", *_cells(each.change, "+"))
-                 for each in self.variations]
+        head = ("", "step", "share [%]", f"energy [kJ], {self.energy_kind}", "height [m]", "velocity [m/s]", "fence then")
+        rows = [head, ("own values", "", *_cells(self.base, ""), _fence(self.base))]
+        rows += [(each.factor, each.changes if each.step is None else f"{100 * each.step:+g} %", *_cells(each.change, "+"),
+                  _fence(each.figures)) for each in self.variations]
         return "<table>" + "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows) + "</table>"
+
+
+def _fence(figures: Figures) -> str:
+    return "" if figures.needs is None else f"{figures.needs.energy_kJ:.3g} kJ, {figures.needs.height_m:.2f} m"
 
 
 def _cells(figures: Figures, sign: str) -> list[str]:

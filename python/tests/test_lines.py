@@ -66,6 +66,9 @@ def test_the_figures_of_a_line(volcano):
         assert figure.low <= figure.value <= figure.high
     assert f"{answer.energy_kJ.value:.3g}" in answer.json["card"]["energy"]
     assert answer.foot.shape[1] == 3 and answer.length_m == pytest.approx(math.hypot(100, 10))
+    needs = answer.json["whole"]["needs"]
+    assert answer.needs == (needs["class"], needs["energy_J"] / 1000, needs["height_m"])
+    assert answer.needs.energy_kJ > answer.energy_kJ.value and answer.needs.height_m > answer.height_m.value  # factors
     profile = answer.profile
     assert profile["rocks"].sum() == answer.crossing and profile["to_m"][-1] == pytest.approx(answer.length_m)
     busy = profile["rocks"] > 0
@@ -128,11 +131,15 @@ def test_what_if_is_that_of_the_program(program, tmp_path):
         ("normal_restitution", -0.1), ("normal_restitution", 0.1), ("mass", -0.5), ("mass", 0.5)]
     heavier = answer.variations[3]
     assert heavier.change.energy_kJ.value == pytest.approx(heavier.figures.energy_kJ.value - answer.base.energy_kJ.value)
-    assert answer.base.share == talus.run(project).line(LINE).share
+    line = talus.run(project).line(LINE)
+    assert (answer.base.share, answer.base.needs, answer.standard) == (line.share, line.needs, line.standard)
+    assert heavier.figures.needs.energy_kJ > answer.base.needs.energy_kJ and heavier.change.needs is None
+    assert f"{heavier.figures.needs.height_m:.2f} m" in answer._repr_html_()
     assert "variations" in repr(answer) and "<table>" in answer._repr_html_()
     pytest.importorskip("pandas")
     frame, rows = answer.to_pandas(), list(csv.DictReader(io.StringIO((tmp_path / "what_if.csv").read_text())))
     assert list(frame.columns) == list(rows[0]) and list(frame["factor"]) == [row["factor"] for row in rows]
+    assert frame["needs_mel_kJ"][4] == pytest.approx(heavier.figures.needs.energy_kJ)
     assert frame["energy_change_J"][0] != frame["energy_change_J"][0]  # NaN: of the base
     assert frame["energy_change_J"][4] == float(rows[4]["energy_change_J"])
 
@@ -147,6 +154,7 @@ def test_what_if_takes_a_model_and_places_of_all_kinds(slope):
     assert "sphere" in models._repr_html_()
     volcano = talus.Project.read(VOLCANO, rocks=50)
     assert talus.what_if(volcano, polygon=POLYGON, steps={"mass": 0.2}).base.height_m.value >= 0
+    assert talus.what_if(volcano, polygon=POLYGON, steps={"mass": 0.2}, rocks=64).base.needs is None
 
 
 def test_control_c_keeps_the_rocks_of_a_what_if():

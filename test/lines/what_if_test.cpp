@@ -58,6 +58,7 @@ const FactorChoice only_models{.steps = std::vector<Step>{}, .models = true};
 void expect_same(const Figures& one, const Figures& other) {
   EXPECT_EQ(one.rocks, other.rocks);
   EXPECT_EQ(one.percentile, other.percentile);
+  EXPECT_EQ(one.demand, other.demand);
   ASSERT_TRUE(one.share && other.share);
   EXPECT_EQ(one.share->value, other.share->value);
   EXPECT_EQ(one.share->low, other.share->low);
@@ -88,6 +89,13 @@ TEST(WhatIf, HasTheFiguresOfAFinishedRun) {
     EXPECT_EQ(*answer.base.percentile[1], of(CrossingQuantity::energy_total));
     EXPECT_EQ(*answer.base.percentile[2], of(CrossingQuantity::height));
     EXPECT_EQ(*answer.base.percentile[3], of(CrossingQuantity::velocity));
+    // The same design: its factors make the fence higher and stronger than the percentiles.
+    EXPECT_EQ(asked.what_if->standard(), finished.plan.standard);
+    ASSERT_TRUE(answer.base.demand);
+    EXPECT_EQ(answer.base.demand, finished.result.whole.demand);
+    EXPECT_EQ(answer.base.demand_at_upper_end, finished.result.whole.demand_at_upper_end);
+    EXPECT_GT(answer.base.demand->maximum_energy, answer.base.percentile[0]->value);
+    EXPECT_NE(answer.variations[1].figures.demand, answer.base.demand);
   }
 }
 
@@ -99,6 +107,7 @@ TEST(WhatIf, HasTheFiguresOfAPolygon) {
       ask_area(run.model, project::design_basis(run.project), run.paths, std::get<AskedArea>(asked.what_if->place()));
   EXPECT_GT(finished.entering.size(), 50u);
   EXPECT_EQ(asked.what_if->answer(0).base.rocks, finished.entering.size());
+  EXPECT_FALSE(asked.what_if->answer(0).base.demand) << "a fence stands at a line";
 }
 
 /// A variation is a run of the changed project.

@@ -245,11 +245,6 @@ Json share_json(const std::optional<RockShare>& share) {
 
 namespace {
 
-Json demand_json(const std::optional<KitDemand>& demand) {
-  if (!demand) return nullptr;
-  return {{"energy_J", demand->maximum_energy}, {"class", demand->kit_class}, {"height_m", demand->height}};
-}
-
 /// Each percentile as [value, lower end, upper end].
 Json percentiles_json(const DesignPlan& plan, const std::vector<Estimate>& estimates) {
   Json json = Json::object();
@@ -331,6 +326,11 @@ Json pair_json(const DesignPlan& plan, const PairChoice& choice) {
 
 std::string grouped(std::uint64_t count) {
   return count < 1000 ? fmt::format("{}", count) : fmt::format("{},{:03}", grouped(count / 1000), count % 1000);
+}
+
+Json demand_json(const std::optional<KitDemand>& demand) {
+  if (!demand) return nullptr;
+  return {{"energy_J", demand->maximum_energy}, {"class", demand->kit_class}, {"height_m", demand->height}};
 }
 
 Json figures_json(const DesignPlan& plan, const DesignFigures& figures) {

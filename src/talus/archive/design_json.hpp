@@ -26,6 +26,8 @@ namespace talus {
 [[nodiscard]] nlohmann::ordered_json factors_json(const CheckFactors& factors);
 /// `value`, `low` and `high`; null without rocks.
 [[nodiscard]] nlohmann::ordered_json share_json(const std::optional<RockShare>& share);
+/// `energy_J`, `class` and `height_m`; null without a demand.
+[[nodiscard]] nlohmann::ordered_json demand_json(const std::optional<KitDemand>& demand);
 /// The figures of a line or of a section of it.
 [[nodiscard]] nlohmann::ordered_json figures_json(const DesignPlan& plan, const DesignFigures& figures);
 

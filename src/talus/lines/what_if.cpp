@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <compare>
+#include <ranges>
 #include <utility>
 
 #include "talus/campaign/campaign.hpp"
@@ -136,6 +137,7 @@ struct WhatIf::Parts {
   std::vector<std::uint64_t> rocks;               // in the order in which they are taken
   std::uint64_t done = 0;                         // of these, by all sets
   std::vector<std::vector<MemberValues>> of_set;  // of the rocks that cross, by their place in `rocks`, ascending
+  std::vector<std::vector<double>> kit_heights;   // of these rocks at a line: of the kit that each needs [m]
   std::vector<std::vector<RockEnd>> ends;         // of each set, of all rocks that are done
   std::vector<Paths> paths;                       // of each set
 
@@ -155,6 +157,8 @@ struct WhatIf::Parts {
     Figures figures{.rocks = crossing.size(),
                     .share = {},
                     .percentile = {},
+                    .demand = {},
+                    .demand_at_upper_end = {},
                     .runout_median = {},
                     .runout = {},
                     .left = share_of(std::ranges::count(ends[set], true, &RockEnd::has_left), done, plan.confidence)};
@@ -168,11 +172,21 @@ struct WhatIf::Parts {
       figures.runout = ranked.estimate(plan.design_percentile / 100, plan.confidence);
     }
     if (crossing.empty()) return figures;
-    for (std::size_t q = 0; q < MemberValues::quantities; ++q) {
+    const auto design_percentile = [&](const auto& values) {
       QuantileSketch sketch(crossing.size());
-      for (const MemberValues& each : crossing) sketch.add(each.values[q]);
-      figures.percentile[q] = RankedValues(sketch).estimate(plan.design_percentile / 100, plan.confidence);
+      for (const double value : values) sketch.add(value);
+      return RankedValues(sketch).estimate(plan.design_percentile / 100, plan.confidence);
+    };
+    for (std::size_t q = 0; q < MemberValues::quantities; ++q) {
+      figures.percentile[q] =
+          design_percentile(std::views::transform(crossing, [q](const MemberValues& each) { return each.values[q]; }));
     }
+    if (!std::holds_alternative<AskedLine>(place)) return figures;
+    const auto of = [&](Asked quantity) { return *figures.percentile[place_of(quantity)]; };
+    const CheckedFigures checked{of(Asked::energy_translational), of(Asked::energy_total), of(Asked::velocity),
+                                 design_percentile(kit_heights[set])};
+    figures.demand = demand_of(plan.factors, checked);
+    figures.demand_at_upper_end = demand_at_upper_end(plan.factors, checked);
     return figures;
   }
 
@@ -216,6 +230,7 @@ WhatIf::WhatIf(const project::Project& project, const Model& model, const projec
   parts_->models = varied_models(with_samples, model, parts_->variations, choice.material);
   const std::size_t sets = parts_->models.size();
   parts_->of_set.resize(sets);
+  parts_->kit_heights.resize(sets);
   parts_->ends.resize(sets);
   parts_->paths.resize(sets);
 }
@@ -234,6 +249,7 @@ std::vector<double> WhatIf::runouts(std::size_t set) const {
 }
 double WhatIf::confidence() const { return parts_->plan.confidence; }
 double WhatIf::percentile() const { return parts_->plan.design_percentile; }
+const std::string& WhatIf::standard() const { return parts_->plan.standard; }
 bool WhatIf::takes_total_energy() const { return parts_->plan.factors.takes_total_energy; }
 
 bool WhatIf::run(const RunOptions& options) {
@@ -276,6 +292,7 @@ bool WhatIf::run(const RunOptions& options) {
     const std::uint64_t blocks = (wave + rocks_in_task - 1) / rocks_in_task;
     struct Found {
       std::vector<MemberValues> crossing;
+      std::vector<double> kit_heights;
       std::vector<RockEnd> ends;
       Paths paths;
     };
@@ -304,7 +321,10 @@ bool WhatIf::run(const RunOptions& options) {
         here.ends.push_back({talus::runout(record.outcome, parts.model.runout_frame).plan,
                              record.outcome.reason == EndReason::left_model});
         if (place < options.pictured) here.paths.push_back(drawn_path(log));
-        if (const auto values = asker->ask(record, log)) here.crossing.push_back(values_of(place, *values));
+        if (const auto values = asker->ask(record, log)) {
+          here.crossing.push_back(values_of(place, *values));
+          here.kit_heights.push_back((*values)[static_cast<std::size_t>(CrossingQuantity::needed_height)]);
+        }
         ++place;
       };
       order.stop = StopScope::current();
@@ -317,6 +337,7 @@ bool WhatIf::run(const RunOptions& options) {
         all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
       };
       append(parts.of_set[set], found[task].crossing);
+      append(parts.kit_heights[set], found[task].kit_heights);
       append(parts.ends[set], found[task].ends);
       append(parts.paths[set], found[task].paths);
     }

@@ -17,6 +17,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -44,6 +45,9 @@ struct Figures {
   std::optional<RockShare> share;  // of all rocks of the set; nullopt: of nothing asked, or of no rocks
   /// The design percentile of what is asked; nullopt if no rock crosses.
   std::array<std::optional<Estimate>, MemberValues::quantities> percentile;
+  /// The fence that the check asks for at a line, with all its factors, as in a design; nullopt if no rock crosses, or
+  /// if the intervals have no upper ends.
+  std::optional<KitDemand> demand, demand_at_upper_end;
   /// Of all rocks of the set: the median and the design percentile of the runout on plan [m], and the share that leaves
   /// the model.
   std::optional<Estimate> runout_median, runout;
@@ -110,6 +114,8 @@ class WhatIf {
   [[nodiscard]] double percentile() const;
   /// Whether the energies are total, as the check of the standard takes them; otherwise translational.
   [[nodiscard]] bool takes_total_energy() const;
+  /// The standard of the check; empty: none.
+  [[nodiscard]] const std::string& standard() const;
   /// The energy that the check takes.
   [[nodiscard]] Asked energy() const {
     return takes_total_energy() ? Asked::energy_total : Asked::energy_translational;

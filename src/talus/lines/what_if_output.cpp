@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "talus/archive/design_json.hpp"
 #include "talus/project/words.hpp"
 
 namespace talus::what_if {
@@ -60,6 +61,11 @@ WhatIfRow row_of(const Answer& answer, Asked energy, const Figures& figures, con
     add(column.of ? figures.percentile[place_of(*column.of)] : estimate_of(figures.share));
     add(column.of ? differences.percentile[place_of(*column.of)] : differences.share);
   }
+  if (const auto& demand = figures.demand) {
+    row.needs_mel_kJ = demand->maximum_energy / 1000;
+    row.needs_class = static_cast<std::uint64_t>(demand->kit_class);
+    row.needs_height_m = demand->height;
+  }
   row.runout_median_m = value_of(figures.runout_median);
   row.runout_m = value_of(figures.runout);
   row.left = value_of(estimate_of(figures.left));
@@ -83,6 +89,8 @@ Json json_of(const std::optional<Estimate>& share,
 Json json_of(const Figures& figures, Asked energy) {
   Json json{{"rocks", figures.rocks}};
   json.update(json_of(estimate_of(figures.share), figures.percentile, energy));
+  json["needs"] = demand_json(figures.demand);
+  json["needs_at_upper_end"] = demand_json(figures.demand_at_upper_end);
   json["runout_median_m"] = json_of(figures.runout_median);
   json["runout_m"] = json_of(figures.runout);
   json["left"] = json_of(estimate_of(figures.left));
@@ -148,6 +156,7 @@ Json json_of(const WhatIf& what_if, const Answer& answer) {
             {"percentile", what_if.percentile()},
             {"confidence", what_if.confidence()},
             {"energy", what_if.takes_total_energy() ? "total" : "translational"},
+            {"standard", what_if.standard().empty() ? Json() : Json(what_if.standard())},
             {"model", project::word(what_if.rock_model())},
             {"base", json_of(answer.base, what_if.energy())}};
   Json& list = json["variations"] = Json::array();

@@ -23,6 +23,9 @@ struct WhatIfRow {
   std::uint64_t rocks = 0, crossing = 0;
   std::optional<std::uint64_t> gained{}, lost{};
   FamilyValues figures{};  // by figure: value and interval, and the change with its interval
+  std::optional<double> needs_mel_kJ{};
+  std::optional<std::uint64_t> needs_class{};
+  std::optional<double> needs_height_m{};
   std::optional<double> runout_median_m{}, runout_m{}, left{};
 
   static constexpr auto columns() {
@@ -37,6 +40,10 @@ struct WhatIfRow {
         quantity("crossing", "", "rocks that cross the line, or enter the polygon", &R::crossing),
         quantity("gained", "", "rocks that cross with the variation and not without it", &R::gained),
         quantity("lost", "", "rocks that cross without the variation and not with it", &R::lost), family(&R::figures),
+        quantity("needs_mel_kJ", "kJ", "maximum energy level that the check asks for at the line, with all factors",
+                 &R::needs_mel_kJ),
+        quantity("needs_class", "", "energy class that it asks for", &R::needs_class),
+        quantity("needs_height_m", "m", "nominal height that it asks for", &R::needs_height_m),
         quantity("runout_median_m", "m", "median of the runout on plan, of all rocks", &R::runout_median_m),
         quantity("runout_m", "m", "its design percentile", &R::runout_m),
         quantity("left", "", "share of the rocks that leave the model", &R::left));

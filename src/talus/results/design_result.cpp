@@ -70,12 +70,9 @@ class Evaluation {
     const auto& [translational, total, velocity, height, needed_height, lateral] = design;
     figures.largest_block = tally.largest_block;
     if (plan_.lines.front().length > 0) figures.lateral = lateral.value;
-    figures.demand = demand_of(plan_.factors, translational.value, total.value, velocity.value, needed_height.value);
-    // All quantities have the same number of values: either all have an upper end or none has.
-    if (height.high) {
-      figures.demand_at_upper_end =
-          demand_of(plan_.factors, *translational.high, *total.high, *velocity.high, *needed_height.high);
-    }
+    const CheckedFigures checked{translational, total, velocity, needed_height};
+    figures.demand = demand_of(plan_.factors, checked);
+    figures.demand_at_upper_end = demand_at_upper_end(plan_.factors, checked);
     return figures;
   }
 
@@ -186,6 +183,18 @@ std::optional<RockShare> share_of(std::uint64_t rocks, std::uint64_t all, double
   if (all == 0) return std::nullopt;
   const ShareBounds bounds = share_bounds(rocks, all, confidence);
   return RockShare{rocks, all, static_cast<double>(rocks) / static_cast<double>(all), bounds.low, bounds.high};
+}
+
+KitDemand demand_of(const CheckFactors& factors, const CheckedFigures& figures) {
+  return demand_of(factors, figures.energy_translational.value, figures.energy_total.value, figures.velocity.value,
+                   figures.needed_height.value);
+}
+
+std::optional<KitDemand> demand_at_upper_end(const CheckFactors& factors, const CheckedFigures& figures) {
+  // All quantities have the same number of values: either all have an upper end or none has.
+  const auto& [translational, total, velocity, height] = figures;
+  if (!height.high) return std::nullopt;
+  return demand_of(factors, *translational.high, *total.high, *velocity.high, *height.high);
 }
 
 double cost_of(const DesignPlan& plan, std::size_t line, std::optional<std::size_t> kit, double height,

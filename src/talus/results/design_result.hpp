@@ -26,7 +26,16 @@ struct KitDemand {
   double maximum_energy = 0;  // MEL [J]
   int kit_class = 0;
   double height = 0;  // nominal [m]
+  friend bool operator==(const KitDemand&, const KitDemand&) = default;
 };
+
+/// The design percentile of what the check takes, of rocks that cross a line.
+struct CheckedFigures {
+  Estimate energy_translational, energy_total, velocity, needed_height;  // [J] [m/s] [m]
+};
+[[nodiscard]] KitDemand demand_of(const CheckFactors& factors, const CheckedFigures& figures);
+/// From the upper ends of their intervals; nullopt if they have none.
+[[nodiscard]] std::optional<KitDemand> demand_at_upper_end(const CheckFactors& factors, const CheckedFigures& figures);
 
 /// Figures of a section or of a whole line.
 struct DesignFigures {

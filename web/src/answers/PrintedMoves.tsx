@@ -1,7 +1,7 @@
 // How far the answers move, on paper: the figures of the same rocks with other rock models and other inputs.
 
 import type { Interval } from '../api/line';
-import type { Figures, WhatIfAnswer, WhatIfOptions } from '../api/whatIf';
+import type { Figures, WhatIfAnswer, WhatIfState } from '../api/whatIf';
 import { percentText } from '../askLine/kit';
 import { inputsOf, modelsOf } from '../askLine/spread';
 import { nameOf } from '../askLine/tornadoOf';
@@ -18,9 +18,14 @@ const columns: readonly { title: () => string; text: (of: Figures) => string }[]
   { title: () => `total, ${displayOf('J').unit}`, text: (of) => inUnit('J')(of.ke_total_J) },
   { title: () => `height, ${displayOf('m').unit}`, text: (of) => inUnit('m')(of.height_m) },
 ];
+const ofFence: typeof columns = [
+  { title: () => `fence, ${displayOf('J').unit}`, text: (of) => inUnit('J')(of.needs && [of.needs.energy_J, null, null]) },
+  { title: () => `fence, ${displayOf('m').unit}`, text: (of) => inUnit('m')(of.needs && [of.needs.height_m, null, null]) },
+];
 
-export function PrintedMoves({ of, question: { material } }: { of: WhatIfAnswer; question: WhatIfOptions }) {
+export function PrintedMoves({ of, question }: { of: WhatIfAnswer; question: WhatIfState['question'] }) {
   const inputs = inputsOf(of);
+  const shown = question.polygon ? columns : [...columns, ...ofFence];
   const sets = [
     { name: `${modelName(of.model)}, as in this run`, of: of.base as Figures },
     ...modelsOf(of).map((each) => ({ name: `rock model ${modelText(each)}`, of: each as Figures })),
@@ -33,12 +38,13 @@ export function PrintedMoves({ of, question: { material } }: { of: WhatIfAnswer;
         <caption>
           {of.percentile} % figures of {of.rocks < of.planned ? `${of.rocks.toLocaleString('en')} of ${counted(of.planned, 'rock')}, the same` : `the same ${counted(of.rocks, 'rock')}`}
           {' in each row'}
-          {material && `; ground of ${material} alone`}
+          {!question.polygon && (of.standard === null ? '; fence without factors' : `; fence by ${of.standard}`)}
+          {question.material && `; ground of ${question.material} alone`}
         </caption>
         <thead>
           <tr>
             <th scope="col">with</th>
-            {columns.map(({ title }) => (
+            {shown.map(({ title }) => (
               <th key={title()} scope="col">
                 {title()}
               </th>
@@ -49,7 +55,7 @@ export function PrintedMoves({ of, question: { material } }: { of: WhatIfAnswer;
           {sets.slice(0, mostRows).map(({ name, of: figures }) => (
             <tr key={name}>
               <th scope="row">{name}</th>
-              {columns.map(({ title, text }) => (
+              {shown.map(({ title, text }) => (
                 <td key={title()}>{text(figures)}</td>
               ))}
             </tr>

@@ -21,6 +21,7 @@ const figures = (share: number, height: number | null): Figures => {
     ke_total_J: energy,
     height_m: height === null ? null : interval(height, 0.2),
     velocity_m_s: null,
+    needs: height === null ? null : { energy_J: 1.5e5 * height, class: 1, height_m: 1.2 * height + 0.5 },
   };
 };
 const nothing = { gained: 0, lost: 0, share: null, energy_J: null, ke_translational_J: null, ke_total_J: null, height_m: null, velocity_m_s: null };
@@ -41,6 +42,7 @@ const whatIf = (variations: Variation[]): WhatIfAnswer => ({
   percentile: 95,
   confidence: 0.95,
   energy: 'translational',
+  standard: 'UNI 11211-4',
   model: 'lumped_mass',
   base: figures(0.1, 0.7),
   variations,
@@ -90,7 +92,12 @@ test('four cards, each with sampling, inputs and models', () => {
     ['total', '90 kJ', '70 to 90 kJ'],
   ]);
   expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: '0.7 to 4.7 m (sphere 4.7 m)' });
-  expect(fence).toMatchObject({ title: 'Fence needed: class 1', note: 'UNI 11211-4, with its factors; ranges are without them.' });
+  expect(fence).toMatchObject({ title: 'Fence needed: class 1', note: 'UNI 11211-4, with its factors.' });
+  // Over what the sets need by the check, not over their percentiles.
+  expect(fence!.figures).toMatchObject([
+    { value: '90 kJ', inputs: '90 to 135 kJ', models: '90 to 705 kJ' },
+    { value: '1.2 m', inputs: '1.2 to 1.58 m', models: '1.2 to 6.14 m', modelsWhy: 'lumped mass 1.2 m (this run), sphere 6.14 m, shape none crosses' },
+  ]);
   const [, , , bare] = cardsOf({ ...line(0.7), standard: null }, null, 'Road');
   expect(bare).toMatchObject({ title: 'Fence needed', note: 'No standard is chosen: no factors are applied.', figures: [{ inputs: null, models: null }, {}] });
 });

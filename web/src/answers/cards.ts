@@ -4,7 +4,7 @@
 import type { AskedAnswer, Interval, LineAnswer, LineQuantity } from '../api/line';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { intervalText, percentText } from '../askLine/kit';
-import { inputsOf, modelsOf, rangeOver, type Range, type SpreadFigure } from '../askLine/spread';
+import { inputsOf, modelsOf, rangeOver, valueOf, type Range, type SpreadFigure } from '../askLine/spread';
 import { nameOf } from '../askLine/tornadoOf';
 import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
@@ -51,7 +51,7 @@ export function samplingText([, low, high]: Interval, { text, range }: Scale): s
 
 /// " (sphere 12 %)": the model that differs most from the run's own; empty if none differs.
 function farthestText(models: readonly Variation[], by: SpreadFigure, own: number | null, { text }: Scale): string {
-  const known = models.flatMap((model) => (model[by] || by === 'share' ? { model, value: model[by]?.[0] ?? 0 } : []));
+  const known = models.flatMap((model) => ({ model, value: valueOf(model, by) })).filter((each): each is { model: Variation; value: number } => each.value !== null);
   if (own === null || known.length === 0) return '';
   const { model, value } = known.reduce((a, b) => (Math.abs(b.value - own) > Math.abs(a.value - own) ? b : a));
   return text(value) === text(own) ? '' : ` (${modelName(model.model)} ${text(value)})`;
@@ -64,13 +64,13 @@ function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number |
   const { base } = whatIf;
   const [inputs, models] = [inputsOf(whatIf), modelsOf(whatIf)];
   const [overInputs, overModels] = [rangeOver(base, inputs, by, shown), rangeOver(base, models, by, shown)];
-  const own = shown ?? base[by]?.[0];
-  const each = models.map((model) => `${modelText(model)} ${model[by] ? scale.text(model[by][0]) : by === 'share' ? scale.text(0) : 'none crosses'}`);
+  const textOf = (value: number | null) => (value === null ? 'none crosses' : scale.text(value));
+  const each = models.map((model) => `${modelText(model)} ${textOf(valueOf(model, by))}`);
   return {
     inputs: overInputs ? scale.range(overInputs.low, overInputs.high) : inputs.length > 0 ? 'none crosses' : null,
     models: overModels ? `${scale.range(overModels.low, overModels.high)}${isAlone ? farthestText(models, by, shown, scale) : ''}` : models.length > 0 ? 'none crosses' : null,
     inputsWhy: overInputs ? `lowest with ${endText(overInputs.atLow)}, highest with ${endText(overInputs.atHigh)}` : '',
-    modelsWhy: overModels ? [`${modelName(whatIf.model)} ${own === undefined ? 'none crosses' : scale.text(own)} (this run)`, ...each].join(', ') : '',
+    modelsWhy: overModels ? [`${modelName(whatIf.model)} ${textOf(shown ?? valueOf(base, by))} (this run)`, ...each].join(', ') : '',
   };
 }
 
@@ -92,26 +92,21 @@ export const percentileOf = (of: AskedAnswer): string => {
   return known.includes('95') ? '95' : (known[0] ?? '95');
 };
 
-/// By the standard of [design]; without one the figures as they are.
-function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
-  const { whole, standard, factors } = of;
+/// By the standard of [design]; without one the figures as they are. Its ranges are over the fences that the sets need.
+function fenceOf({ whole, standard }: LineAnswer, whatIf: WhatIfAnswer | null): Card {
   const { needs, needs_at_upper_end: upper } = whole;
-  const [energy, height] = [scaleOf('J'), scaleOf('m')];
-  const by: LineQuantity = factors.of_total_energy ? 'ke_total_J' : 'ke_translational_J';
-  const shown = (key: LineQuantity) => whole.percentiles[key]?.[percentileOf(of)]?.[0] ?? null;
-  const upTo = (scale: Scale, key: 'energy_J' | 'height_m') => (upper ? `up to ${scale.text(upper[key])}` : needs ? 'too few rocks' : '–');
-  const figure = (name: string, scale: Scale, key: 'energy_J' | 'height_m', figures: SpreadFigure & LineQuantity): CardFigure => ({
+  const figure = (name: string, scale: Scale, key: 'energy_J' | 'height_m'): CardFigure => ({
     name,
     value: needs ? scale.text(needs[key]) : 'none',
-    sampling: upTo(scale, key),
-    ...rangesOf(whatIf, figures, shown(figures), scale, false),
+    sampling: upper ? `up to ${scale.text(upper[key])}` : needs ? 'too few rocks' : '–',
+    ...rangesOf(whatIf, `needs_${key}`, needs?.[key] ?? null, scale, false),
   });
   const kit = needs?.class === null ? 'no class is enough' : `class ${needs?.class}`;
   return {
     key: 'fence',
     title: needs && standard !== null ? `Fence needed: ${kit}` : 'Fence needed',
-    figures: [figure('energy', energy, 'energy_J', by), figure('height', height, 'height_m', 'height_m')],
-    note: standard === null ? 'No standard is chosen: no factors are applied.' : `${standard}, with its factors; ranges are without them.`,
+    figures: [figure('energy', scaleOf('J'), 'energy_J'), figure('height', scaleOf('m'), 'height_m')],
+    note: standard === null ? 'No standard is chosen: no factors are applied.' : `${standard}, with its factors.`,
   };
 }
 

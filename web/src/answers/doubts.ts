@@ -5,7 +5,7 @@ import type { Summary } from '../api/results';
 import type { Problem, ProblemKind } from '../api/types';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { percentText } from '../askLine/kit';
-import { modelsOf, type SpreadFigure } from '../askLine/spread';
+import { modelsOf, type IntervalFigure } from '../askLine/spread';
 import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
 import { percentileOf } from './cards';
@@ -33,22 +33,22 @@ const lower = ([value, low]: Interval) => low ?? value / 2;
 export const areApart = (a: Interval, b: Interval): boolean => lower(a) > upper(b) || lower(b) > upper(a);
 
 /// What a fence needs, and what passes.
-const compared: readonly (readonly SpreadFigure[])[] = [['height_m', 'ke_translational_J', 'ke_total_J'], ['share']];
+const compared: readonly (readonly IntervalFigure[])[] = [['height_m', 'ke_translational_J', 'ke_total_J'], ['share']];
 const zero: Interval = [0, 0, 0];
 
-function figureText(by: SpreadFigure, value: number): string {
+function figureText(by: IntervalFigure, value: number): string {
   if (by === 'share') return percentText(value);
   const { unit, per } = displayOf(by === 'height_m' ? 'm' : 'J');
   return `${numberText(value / per, 3)} ${unit}`;
 }
-const titles: Partial<Record<SpreadFigure, string>> = {
+const titles: Partial<Record<IntervalFigure, string>> = {
   height_m: 'height',
   ke_translational_J: 'translational energy',
   ke_total_J: 'total energy',
 };
 
 interface Disagreement {
-  by: SpreadFigure;
+  by: IntervalFigure;
   own: number;
   other: number;
   model: Variation;
@@ -57,7 +57,7 @@ interface Disagreement {
 
 /// The figure, of some, in which another model differs most from the project's own; null: none differs by more than its
 /// intervals.
-function worstOf(figures: readonly SpreadFigure[], { base, ...answer }: WhatIfAnswer, shown: (by: SpreadFigure) => number | null): Disagreement | null {
+function worstOf(figures: readonly IntervalFigure[], { base, ...answer }: WhatIfAnswer, shown: (by: IntervalFigure) => number | null): Disagreement | null {
   const found = modelsOf(answer).flatMap((model) =>
     figures.flatMap((by): Disagreement[] => {
       const [own, other] = by === 'share' ? [base.share ?? zero, model.share ?? zero] : [base[by], model[by]];
@@ -70,7 +70,7 @@ function worstOf(figures: readonly SpreadFigure[], { base, ...answer }: WhatIfAn
 }
 
 /// As the cards have it: of all rocks of the run.
-const shownIn = (of: AskedAnswer | null) => (by: SpreadFigure) => {
+const shownIn = (of: AskedAnswer | null) => (by: IntervalFigure) => {
   if (!of || by === 'energy_J') return null;
   if (by === 'share') return (of.kind === 'polygon' ? of.entering.share : of.whole.share)?.value ?? null;
   return (of.kind === 'polygon' ? of : of.whole).percentiles[by]?.[percentileOf(of)]?.[0] ?? null;

@@ -1,7 +1,7 @@
 // What if: the rocks of a run with other values, in the background ("What if" in docs/workbench-api.md).
 
 import { getJson, sendJson } from './client';
-import type { AskedShape, Interval } from './line';
+import type { AskedShape, Interval, Needs } from './line';
 import type { Problem } from './types';
 
 /// The factor of the variations with another rock model.
@@ -10,7 +10,11 @@ export const modelFactor = 'model';
 /// A figure at the line; energies are those that the check takes.
 export type WhatIfFigure = 'share' | 'energy_J' | 'height_m' | 'velocity_m_s';
 /// Null: no rock crosses.
-export type Figures = { rocks: number } & Record<WhatIfFigure | 'ke_translational_J' | 'ke_total_J', Interval | null>;
+export type Figures = {
+  rocks: number;
+  /// Of a line: the fence that the check asks for, with all its factors.
+  needs: Needs | null;
+} & Record<WhatIfFigure | 'ke_translational_J' | 'ke_total_J', Interval | null>;
 
 /// A value before and after, as in the project's file; null: the key is not given.
 export interface Change {
@@ -41,6 +45,8 @@ export interface WhatIfAnswer {
   percentile: number;
   confidence: number;
   energy: 'total' | 'translational';
+  /// Whose factors are in `needs`.
+  standard: string | null;
   /// The project's own.
   model: string;
   base: Figures;

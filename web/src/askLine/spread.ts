@@ -2,7 +2,9 @@
 
 import { modelFactor, type Figures, type Variation, type WhatIfAnswer } from '../api/whatIf';
 
-export type SpreadFigure = Exclude<keyof Figures, 'rocks'>;
+/// A figure with an interval, or what a fence needs.
+export type IntervalFigure = Exclude<keyof Figures, 'rocks' | 'needs'>;
+export type SpreadFigure = IntervalFigure | 'needs_energy_J' | 'needs_height_m';
 
 export interface Range {
   low: number;
@@ -16,7 +18,11 @@ export const inputsOf = ({ variations }: Pick<WhatIfAnswer, 'variations'>) => va
 export const modelsOf = ({ variations }: Pick<WhatIfAnswer, 'variations'>) => variations.filter(({ factor }) => factor === modelFactor);
 
 /// Of a figure; the share of no rock is 0. Null: no rock crosses.
-const valueOf = (figures: Figures, by: SpreadFigure): number | null => figures[by]?.[0] ?? (by === 'share' ? 0 : null);
+export function valueOf(figures: Figures, by: SpreadFigure): number | null {
+  if (by === 'needs_energy_J') return figures.needs?.energy_J ?? null;
+  if (by === 'needs_height_m') return figures.needs?.height_m ?? null;
+  return figures[by]?.[0] ?? (by === 'share' ? 0 : null);
+}
 
 /// The range over the project's own values and those of the sets. `shown`: the figure that it stands beside, of all rocks
 /// of the run, of which the sets may have fewer. Null: there are no sets, or no rock crosses with any.
