@@ -12,17 +12,6 @@ namespace talus {
 
 namespace {
 
-/// The central range of values that has this confidence; sorts them.
-Estimate range_of(std::vector<double> values, double value, double confidence) {
-  std::ranges::sort(values);
-  const auto quantile = [&](double p) {
-    const QuantilePlace place = quantile_place(p, values.size());
-    return between(values[place.rank], values[std::min<std::size_t>(place.rank + 1, values.size() - 1)],
-                   place.fraction);
-  };
-  return {value, quantile((1 - confidence) / 2), quantile((1 + confidence) / 2)};
-}
-
 /// The number of a figure's quantity among runout, energy and bounce height, and at each line energy, velocity and
 /// height.
 std::size_t quantity_number(const RunFigure& figure) {
@@ -45,6 +34,16 @@ std::size_t quantity_number(const RunFigure& figure) {
 }
 
 }  // namespace
+
+Estimate range_of(std::vector<double> values, double value, double confidence) {
+  std::ranges::sort(values);
+  const auto quantile = [&](double p) {
+    const QuantilePlace place = quantile_place(p, values.size());
+    return between(values[place.rank], values[std::min<std::size_t>(place.rank + 1, values.size() - 1)],
+                   place.fraction);
+  };
+  return {value, quantile((1 - confidence) / 2), quantile((1 + confidence) / 2)};
+}
 
 UncertaintyCount::UncertaintyCount(EnsembleRocks run, std::vector<std::string> lines)
     : run_(std::move(run)),

@@ -33,6 +33,9 @@ struct FigureUncertainty {
   double parameter_share = 0;  // of the variance, 0 to 1
 };
 
+/// The central range of values that has this confidence. Expects at least one.
+[[nodiscard]] Estimate range_of(std::vector<double> values, double value, double confidence);
+
 struct Uncertainty {
   static constexpr double confidence = 0.9;
   static constexpr std::size_t fewest = 5;  // ensembles with a value

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "talus/archive/doubts.hpp"
+#include "talus/lines/ensemble_spread.hpp"
 
 namespace talus {
 
@@ -37,6 +38,8 @@ RunAnswer AskedRun::line(const project::DesignBasis& basis, const AskedLine& lin
   doubt_needed_height(where, answer.result.whole, all.warnings);
   if (options.kit) doubt_kit_height(where, options.kit->height, answer.result.whole, all.warnings);
   all.json.update(line_json(model_, line, answer, sources_, options));
+  all.json["ensembles"] = nullptr;
+  if (!model_.ensembles.empty()) all.json["ensembles"] = spread_json(ensemble_spread(model_, paths_->rocks(), answer));
   for (const CrossingRock& crossing : answer.crossings) all.rocks.push_back(crossing.rock);
   return all;
 }

@@ -91,3 +91,21 @@ test('without a line the page says how to choose one, and how far rocks go', asy
   await page.keyboard.press('Control+z');
   await expect(card(page, /^Choose a place/)).toBeVisible();
 });
+
+test('ensembles of the run give the range over inputs', async ({ workbench: page, server }) => {
+  server.copyExample('tutorial-1');
+  const text = server.read('tutorial-1/tutorial-1-2d.toml');
+  const sets = Array.from({ length: 10 }, (_, k) => 0.6 + 0.03 * k);
+  server.write('posterior.csv', ['material.*.tangential_restitution.mean', ...sets].join('\n'));
+  server.write('uncertain.toml', `${text.replace(/^rocks = \d+/m, 'rocks = 500')}\n[sampling]\nparameters = "posterior.csv"\nensembles = 10\n`);
+  await page.reload();
+  await page.getByRole('region', { name: 'Projects in this folder' }).getByRole('button', { name: /uncertain\.toml/ }).click();
+  await page.getByRole('button', { name: 'Compute', exact: true }).click();
+  await expect(row(page, /^Passes/, 'inputs')).toHaveText(/ to .* %$/, { timeout: 30_000 });
+  await expect(row(page, /^Passes/, 'inputs')).toHaveAttribute('title', /^90 % of the run's 10 ensembles, /);
+  await expect(row(page, /^Fence needed/, 'inputs')).toHaveText(/ to .* kJ$/);
+  await expect(row(page, /^Fence needed/, 'models')).toHaveText(/ to .* kJ$/, { timeout: 30_000 });
+  await page.evaluate(() => (window.print = () => undefined));
+  await answers(page).getByRole('button', { name: 'A4 sheet' }).click();
+  await expect(page.locator('.answer-sheet article').first()).toContainText('Inputs: the range of 90 % of the 10 ensembles of this run');
+});

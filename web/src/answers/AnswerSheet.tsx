@@ -7,6 +7,7 @@ import type { Point2 } from '../api/types';
 import type { WhatIfState } from '../api/whatIf';
 import { pointsOf } from '../askLine/askTools';
 import type { Asked } from '../askLine/shape';
+import { percentText } from '../askLine/kit';
 import { sourcePlaces, sourceText } from '../askLine/sources';
 import { file } from '../project/document';
 import { model } from '../project/model';
@@ -91,8 +92,11 @@ function Signatures() {
 function rowsText(of: AskedAnswer, whatIf: WhatIfState | null): string {
   const sampling = `Sampling: with ${Math.round(100 * of.confidence)} % confidence, of the ${of.run.stored.toLocaleString('en')} rocks whose trajectories are stored.`;
   const answer = whatIf?.answer;
-  if (!answer) return `${sampling} Inputs and rock models were not varied.`;
+  const spread = of.kind === 'polygon' ? null : of.ensembles;
+  const ofEnsembles = spread && `Inputs: the range of ${percentText(spread.confidence)} of the ${spread.ensembles} ensembles of this run, each with its own parameters; the chance of their rocks is in it.`;
+  if (!answer) return `${sampling} ${ofEnsembles ? `${ofEnsembles} Rock models` : 'Inputs and rock models'} were not varied.`;
   const part = answer.rocks < answer.planned ? `a fair sample of ${answer.rocks.toLocaleString('en')} of ${counted(answer.planned, 'rock')}` : `the same ${counted(answer.rocks, 'rock')}`;
+  if (ofEnsembles) return `${sampling} ${ofEnsembles} Models: ${part}, with the other rock models, in the table of the next page, which also has each input a step lower and higher.`;
   return `${sampling} Inputs: ${part}, with each input a step lower and higher. Models: with the other rock models. Both in the table of the next page.`;
 }
 

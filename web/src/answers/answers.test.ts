@@ -102,6 +102,15 @@ test('four cards, each with sampling, inputs and models', () => {
   expect(bare).toMatchObject({ title: 'Fence needed', note: 'No standard is chosen: no factors are applied.', figures: [{ inputs: null, models: null }, {}] });
 });
 
+test('ensembles of the run take the place of steps of its inputs', () => {
+  const ensembles = { ensembles: 50, crossing: 40, confidence: 0.9, share: [0.1, 0.02, 0.3], height_m: [0.7, 0.5, 1.4], ke_translational_J: null, ke_total_J: [9e4, 4e4, 2e5], velocity_m_s: null, needs_energy_J: [9e4, 5e4, 3e5], needs_height_m: [1.2, 1.1, 2] };
+  const [share, energy, height, fence] = cardsOf({ ...line(0.7), ensembles } as unknown as LineAnswer, varied, 'Road');
+  expect(share!.figures[0]).toMatchObject({ inputs: '2 to 30 %', models: '0 to 12 % (shape 0 %)', inputsWhy: expect.stringMatching(/^90 % of the run's 50 ensembles, /) });
+  expect(energy!.figures.map(({ inputs }) => inputs)).toEqual(['too few ensembles', '40 to 200 kJ']);
+  expect(height!.figures[0]!.inputsWhy).toMatch(/^90 % of the run's 40 ensembles with rocks that cross, of 50/);
+  expect(fence!.figures.map(({ inputs }) => inputs)).toEqual(['50 to 300 kJ', '1.1 to 2 m']);
+});
+
 test('models disagree if their intervals are apart; without an upper end, by more than twice', () => {
   expect(areApart([1, 0.9, 1.1], [1.3, 1.2, 1.4])).toBe(true);
   expect(areApart([1, 0.9, 1.25], [1.3, 1.2, 1.4])).toBe(false);

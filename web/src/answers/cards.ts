@@ -1,7 +1,7 @@
 // The four answers of the page as texts: each figure with its interval of sampling, and its ranges over inputs and over
 // rock models.
 
-import type { AskedAnswer, Interval, LineAnswer, LineQuantity } from '../api/line';
+import type { AskedAnswer, EnsembleSpread, Interval, LineAnswer, LineQuantity } from '../api/line';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { intervalText, percentText } from '../askLine/kit';
 import { inputsOf, modelsOf, rangeOver, valueOf, type Range, type SpreadFigure } from '../askLine/spread';
@@ -74,12 +74,24 @@ function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number |
   };
 }
 
-function figureOf(name: string, value: Interval | null, scale: Scale, whatIf: WhatIfAnswer | null, by: SpreadFigure): CardFigure {
+/// Of a run whose parameters are uncertain, its own ensembles tell more of the inputs than steps do.
+function overEnsembles(of: AskedAnswer, by: keyof EnsembleSpread & SpreadFigure, scale: Scale): Pick<CardFigure, 'inputs' | 'inputsWhy'> | null {
+  if (of.kind === 'polygon' || !of.ensembles) return null;
+  const { [by]: range, ensembles, crossing, confidence } = of.ensembles;
+  const ofWhich = crossing < ensembles && by !== 'share' ? `${crossing} ensembles with rocks that cross, of ${ensembles}` : `${ensembles} ensembles`;
+  return {
+    inputs: range ? scale.range(range[1], range[2]) : 'too few ensembles',
+    inputsWhy: `${percentText(confidence)} of the run's ${ofWhich}, each with its own parameters and its own rocks, whose chance is in it`,
+  };
+}
+
+function figureOf(name: string, value: Interval | null, scale: Scale, of: AskedAnswer, whatIf: WhatIfAnswer | null, by: keyof EnsembleSpread & SpreadFigure): CardFigure {
   return {
     name,
     value: value ? scale.text(value[0]) : 'none',
     sampling: value ? samplingText(value, scale) : '–',
     ...rangesOf(whatIf, by, value?.[0] ?? null, scale, name === ''),
+    ...overEnsembles(of, by, scale),
   };
 }
 
@@ -93,13 +105,15 @@ export const percentileOf = (of: AskedAnswer): string => {
 };
 
 /// By the standard of [design]; without one the figures as they are. Its ranges are over the fences that the sets need.
-function fenceOf({ whole, standard }: LineAnswer, whatIf: WhatIfAnswer | null): Card {
+function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
+  const { whole, standard } = of;
   const { needs, needs_at_upper_end: upper } = whole;
   const figure = (name: string, scale: Scale, key: 'energy_J' | 'height_m'): CardFigure => ({
     name,
     value: needs ? scale.text(needs[key]) : 'none',
     sampling: upper ? `up to ${scale.text(upper[key])}` : needs ? 'too few rocks' : '–',
     ...rangesOf(whatIf, `needs_${key}`, needs?.[key] ?? null, scale, false),
+    ...overEnsembles(of, `needs_${key}`, scale),
   });
   const kit = needs?.class === null ? 'no class is enough' : `class ${needs?.class}`;
   return {
@@ -123,22 +137,22 @@ export function cardsOf(of: AskedAnswer, whatIf: WhatIfAnswer | null, placeText:
     {
       key: 'share',
       title: `${isArea ? 'Enters' : 'Passes'} ${placeText}`,
-      figures: [figureOf('', share && [share.value, share.low, share.high], shareScale, whatIf, 'share')],
+      figures: [figureOf('', share && [share.value, share.low, share.high], shareScale, of, whatIf, 'share')],
       note: `${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks`,
     },
     {
       key: 'energy',
       title: `${percentile} % energy there`,
       figures: [
-        figureOf('translational', at('ke_translational_J'), energy, found, 'ke_translational_J'),
-        figureOf('total', at('ke_total_J'), energy, found, 'ke_total_J'),
+        figureOf('translational', at('ke_translational_J'), energy, of, found, 'ke_translational_J'),
+        figureOf('total', at('ke_total_J'), energy, of, found, 'ke_total_J'),
       ],
       note: '',
     },
     {
       key: 'height',
       title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`,
-      figures: [figureOf('', at('height_m'), height, found, 'height_m')],
+      figures: [figureOf('', at('height_m'), height, of, found, 'height_m')],
       note: '',
     },
   ];

@@ -12,6 +12,14 @@ export interface Share {
   high: number;
 }
 
+/// A value of all rocks, and the range in which most ensembles are.
+export type EnsembleRange = [number, number, number];
+/// Of a run with uncertain parameters. Null: rocks of too few ensembles cross.
+export type EnsembleSpread = { ensembles: number; crossing: number; confidence: number } & Record<
+  'share' | LineQuantity | 'needs_energy_J' | 'needs_height_m',
+  EnsembleRange | null
+>;
+
 export type LineQuantity = 'ke_translational_J' | 'ke_total_J' | 'velocity_m_s' | 'height_m';
 export interface Needs {
   energy_J: number;
@@ -94,6 +102,8 @@ export interface LineAnswer extends AnyAnswer {
   /// The kit of the question, in words; null without one.
   kit: { text: string } | null;
   card: CardTexts;
+  /// Null: all rocks have the same parameters.
+  ensembles: EnsembleSpread | null;
 }
 export interface PolygonAnswer extends AnyAnswer {
   kind: 'polygon';
