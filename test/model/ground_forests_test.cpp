@@ -128,6 +128,20 @@ TEST(ForestsOverASlope, ARockHasTheSamePropertiesBelowAForestAsOutside) {
   expect_same_trajectories(model_without_warnings(head), with);
 }
 
+// A part of the terrain has one byte for its material.
+TEST(ForestsOverASlope, MoreForestsOrMaterialsThanAByteHoldsAreRefused) {
+  const auto of_forests = [](int count) {
+    std::string text = wooded_slope + ground_of_segments;
+    for (int k = 0; k < count; ++k) text += forest_over("drag_kg_s = 99\nheight_m = 5", 20, 90);
+    return problems_of_model(text);
+  };
+  EXPECT_EQ(of_forests(255), "");  // the last one lies over all others
+  EXPECT_EQ(
+      of_forests(256),
+      "slope.toml: [[forest]]: there are 256 forests (expected at most 255). Give forests of the same density and "
+      "height one entry, with a file of polygons");
+}
+
 TEST(ForestsOverASlope, AModelGetsOtherDragsWithoutItsTerrain) {
   EXPECT_TRUE(needs_no_terrain("forest.wood.density"));
   EXPECT_TRUE(needs_no_terrain("forest.0.drag_kg_s"));

@@ -193,7 +193,6 @@ std::vector<MaterialId> listed(const Project& project, const BuiltTerrain& terra
 
 talus::Ground build_ground(const Project& project, const BuiltTerrain& terrain, Problems& problems,
                            Problems& warnings) {
-  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();  // the last number means none
   const Ground& ground = project.ground;
   const bool is_gis = !ground.raster.empty() || !ground.polygons.empty();
   const bool is_listed = !ground.segments.empty() || !ground.triangles.empty();
@@ -204,14 +203,14 @@ talus::Ground build_ground(const Project& project, const BuiltTerrain& terrain, 
     return talus::Ground(std::move(materials), listed(project, terrain, problems));
   }
 
-  if (project.materials.size() > most_materials) {
+  if (project.materials.size() > max_materials_of_parts) {
     const std::string_view what = !ground.raster.empty()   ? "raster"
                                   : is_gis                 ? "polygons"
                                   : !project.areas.empty() ? "an area"
                                                            : "a forest";
     const std::string_view which = is_gis ? "from a file" : !project.areas.empty() ? "with areas" : "with forests";
     problems.add(about_ground(project, fmt::format("{} is given with {} materials", what, project.materials.size()),
-                              fmt::format("a ground {} has at most {}", which, most_materials)));
+                              fmt::format("a ground {} has at most {}", which, max_materials_of_parts)));
     return {};
   }
   try {

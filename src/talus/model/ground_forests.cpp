@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "talus/import/vector_file.hpp"
@@ -15,8 +14,10 @@ namespace talus::project {
 
 namespace {
 
-using ForestNumber = std::uint16_t;
-constexpr ForestNumber no_forest = std::numeric_limits<ForestNumber>::max();
+using ForestNumber = std::uint8_t;
+constexpr std::size_t max_forests = 255;
+constexpr ForestNumber no_forest = max_forests;
+constexpr const char* fewer_forests = "Give forests of the same density and height one entry, with a file of polygons";
 
 Problem about(const Project& project, const ForestArea& forest) {
   return {.file = project.file.string(), .line = forest.line, .where = fmt::format("forest \"{}\"", forest.name)};
@@ -110,28 +111,42 @@ class Stands {
 
 std::vector<LaidForest> lay_forests(const Project& project, const GroundParts& parts,
                                     std::vector<std::uint8_t>& of_part, Problems& warnings) {
-  constexpr std::size_t most_materials = std::numeric_limits<std::uint8_t>::max();
+  const auto refuse = [&](std::string what, std::string why) {
+    throw BadInput(Problem{.file = project.file.string(),
+                           .where = "[[forest]]",
+                           .what = std::move(what),
+                           .why = std::move(why),
+                           .hint = fewer_forests});
+  };
+  if (project.forests.size() > max_forests) {
+    refuse(fmt::format("there are {} forests", project.forests.size()),
+           fmt::format("expected at most {}", max_forests));
+  }
   const Stands stands(project, parts, warnings);
-  const auto is_wooded = [&](std::size_t part) { return stands.of(part) != no_forest && parts.is_ground(part); };
-  std::map<std::pair<ForestNumber, std::uint8_t>, std::size_t> numbers;  // by forest and by the material below it
+  // The number in the ground of each pair of a forest and the material below it; 0: there is none.
+  constexpr std::size_t materials_below = max_materials_of_parts + 1;
+  std::vector<std::size_t> numbers(project.forests.size() * materials_below);
+  const auto number_at = [&](std::size_t part) -> std::size_t* {
+    if (stands.of(part) == no_forest || !parts.is_ground(part)) return nullptr;
+    return &numbers[stands.of(part) * materials_below + of_part[part]];
+  };
   for (std::size_t part = 0; part < of_part.size(); ++part)
-    if (is_wooded(part)) numbers[{stands.of(part), of_part[part]}] = 0;
+    if (std::size_t* const number = number_at(part)) *number = 1;
   std::vector<LaidForest> laid;
-  for (auto& [place, number] : numbers) {
-    number = project.materials.size() + laid.size();
-    laid.push_back({.material = place.second, .forest = place.first});
+  for (std::size_t pair = 0; pair < numbers.size(); ++pair) {
+    if (numbers[pair] == 0) continue;
+    numbers[pair] = project.materials.size() + laid.size();
+    laid.push_back({.material = static_cast<std::uint32_t>(pair % materials_below),
+                    .forest = static_cast<std::uint32_t>(pair / materials_below)});
   }
-  if (project.materials.size() + laid.size() > most_materials) {
-    throw BadInput(Problem{
-        .file = project.file.string(),
-        .where = "[[forest]]",
-        .what = fmt::format("{} materials lie in {} forests", project.materials.size(), project.forests.size()),
-        .why = fmt::format("with each material in each of its forests there are {}, and the ground has at most {}",
-                           project.materials.size() + laid.size(), most_materials),
-        .hint = "Give forests of the same density and height one entry"});
+  const std::size_t count = project.materials.size() + laid.size();
+  if (count > max_materials_of_parts) {
+    refuse(fmt::format("{} materials lie in {} forests", project.materials.size(), project.forests.size()),
+           fmt::format("with each material in each of its forests there are {}, and the ground has at most {}", count,
+                       max_materials_of_parts));
   }
   for (std::size_t part = 0; part < of_part.size(); ++part)
-    if (is_wooded(part)) of_part[part] = static_cast<std::uint8_t>(numbers.at({stands.of(part), of_part[part]}));
+    if (const std::size_t* const number = number_at(part)) of_part[part] = static_cast<std::uint8_t>(*number);
   return laid;
 }
 

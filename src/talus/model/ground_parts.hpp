@@ -13,6 +13,9 @@
 
 namespace talus::project {
 
+/// A part has one byte for its material; the last number means none.
+inline constexpr std::size_t max_materials_of_parts = 255;
+
 /// The centres of the terrain's cells or facets, in the user's coordinates, and their areas on plan. Keeps a reference
 /// to `terrain`, which must have facet centres.
 class GroundParts {
