@@ -19,7 +19,6 @@ using enum PathState;
 constexpr double gravity = 9.80665, mass = 1200;
 
 std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 vector(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 PathEventRow row(PathState state, double time, const Vec3& p, const Vec3& v, double rotational = 0) {
   return {.state = state,

@@ -13,6 +13,8 @@
 namespace talus::what_if {
 namespace {
 
+using testing_tools::replaced;
+
 constexpr const char* slope = R"([analysis]
 model = "lumped_mass"
 [terrain]

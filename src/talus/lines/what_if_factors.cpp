@@ -66,25 +66,12 @@ class Varying {
         changed("material", row, "roughness_amplitude_m");
       }
     }
-    if (kind_.key == "forest_drag" && material.forest_drag() > 0) {
-      material.forest_drag_kg_s = number(material.forest_drag(), "material", "forest_drag_kg_s");
-      if (material.forest != Forest::none) {
-        material.forest = Forest::none;
-        changed("material", row, "forest");
-      }
-      changed("material", row, "forest_drag_kg_s");
-    }
+    forest_drag(material.forest, material.forest_drag_kg_s, {"material", row, "forest", "forest_drag_kg_s"});
   }
 
   void forest(std::size_t row) {
     project::ForestArea& forest = variation_.project.forests[row];
-    if (kind_.key != "forest_drag" || forest.drag() == 0) return;
-    forest.drag_kg_s = number(forest.drag(), "forest", "drag_kg_s");
-    if (forest.density != Forest::none) {
-      forest.density = Forest::none;
-      changed("forest", row, "density");
-    }
-    changed("forest", row, "drag_kg_s");
+    forest_drag(forest.density, forest.drag_kg_s, {"forest", row, "density", "drag_kg_s"});
   }
 
   void seeder(std::size_t row) {
@@ -103,6 +90,20 @@ class Varying {
   [[nodiscard]] const std::string& why_not() const { return why_not_; }
 
  private:
+  struct ForestKeys {
+    std::string_view table;
+    std::size_t row;
+    std::string_view density, drag;
+  };
+  /// A word for the density becomes the drag that it stands for.
+  void forest_drag(Forest& density, std::optional<double>& drag, const ForestKeys& keys) {
+    const double before = drag.value_or(talus::forest_drag(density));
+    if (kind_.key != "forest_drag" || before == 0) return;
+    drag = number(before, keys.table, keys.drag);
+    if (std::exchange(density, Forest::none) != Forest::none) changed(keys.table, keys.row, keys.density);
+    changed(keys.table, keys.row, keys.drag);
+  }
+
   double number(double value, std::string_view table, std::string_view key) {
     bool is_clipped = false;
     const double result = within(project::setting(table, key).range, value * factor_, is_clipped);

@@ -1,5 +1,5 @@
 #include "talus/project/settings/conditions.hpp"
-#include "talus/project/settings/limits.hpp"
+#include "talus/project/settings/forest_words.hpp"
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
 #include "talus/project/settings/topics.hpp"
@@ -26,22 +26,21 @@ Table forest_table() {
                .without_it = "required without `drag_kg_s`",
                .meaning = "Density of the forest: the drag is 250 kg/s for `open`, 500 kg/s for `medium`, 750 kg/s for "
                           "`dense`; `none` is a clearing.",
-               .source = "the densities: RocFall; the drags: as quoted for RAMMS::ROCKFALL, see docs/laws.md"},
+               .source = forest_words::density_source},
               {.key = "drag_kg_s",
                .slot = member(&ForestArea::drag_kg_s),
                .unit = "kg/s",
-               .range = above_0_up_to(most_drag_kg_s, "trees cannot push"),
+               .range = forest_words::drag_range(),
                .without_it = "given by `density`",
-               .meaning = "b, the drag force on a rock among the trees, divided by its velocity.",
-               .source = "RocFall, after Leine et al. 2014 and Bartelt et al. 2016 (RAMMS::ROCKFALL)"},
+               .meaning = forest_words::drag_meaning,
+               .source = forest_words::drag_source},
               {.key = "height_m",
                .slot = member(&ForestArea::height_m),
                .unit = "m",
-               .range = above_0_up_to(most_height_m, "a forest has a height"),
+               .range = forest_words::height_range(),
                .without_it = "required, except for a clearing",
-               .meaning =
-                   "Effective height of the forest: it slows rocks whose centre is less than this above the ground.",
-               .source = "RocFall, after Leine et al. 2014"},
+               .meaning = forest_words::height_meaning,
+               .source = forest_words::height_source},
               {.key = "polygon",
                .slot = [](const Row& row) -> Slot { return PlanPolygonSlot{&row.as<ForestArea>().polygon}; },
                .unit = "m",

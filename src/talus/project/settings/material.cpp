@@ -1,4 +1,5 @@
 #include "talus/project/settings/conditions.hpp"
+#include "talus/project/settings/forest_words.hpp"
 #include "talus/project/settings/limits.hpp"
 #include "talus/project/settings/slots.hpp"
 #include "talus/project/settings/tables.hpp"
@@ -114,29 +115,28 @@ Table material_table() {
                .topic = topics::forest,
                .meaning = "Density of the forest on this ground: the drag is 250 kg/s for `open`, 500 kg/s for "
                           "`medium`, 750 kg/s for `dense`.",
-               .source = "the densities: RocFall; the drags: as quoted for RAMMS::ROCKFALL, see docs/laws.md"},
+               .source = forest_words::density_source},
               {.key = "forest_drag_kg_s",
                .slot = member(&Material::forest_drag_kg_s),
                .unit = "kg/s",
-               .range = above_0_up_to(most_drag_kg_s, "trees cannot push"),
+               .range = forest_words::drag_range(),
                .without_it = "given by `forest`",
                .group = "Forest",
                .topic = topics::forest,
-               .meaning = "b, the drag force on a rock among the trees, divided by its velocity.",
-               .source = "RocFall, after Leine et al. 2014 and Bartelt et al. 2016 (RAMMS::ROCKFALL)"},
+               .meaning = forest_words::drag_meaning,
+               .source = forest_words::drag_source},
               {.key = "forest_height_m",
                .slot = member(&Material::forest_height_m),
                .unit = "m",
-               .range = above_0_up_to(most_height_m, "a forest has a height"),
+               .range = forest_words::height_range(),
                .without_it = "required with `forest` or `forest_drag_kg_s`",
                .applies_when = {{.any_of = {is_not("forest", {word(Forest::none)}), given("forest_drag_kg_s")},
                                  .why = "there is no forest",
                                  .hint = "Write forest = \"medium\", or give forest_drag_kg_s"}},
                .group = "Forest",
                .topic = topics::forest,
-               .meaning =
-                   "Effective height of the forest: it slows rocks whose centre is less than this above the ground.",
-               .source = "RocFall, after Leine et al. 2014"},
+               .meaning = forest_words::height_meaning,
+               .source = forest_words::height_source},
               {.key = "ground_drag_per_s",
                .slot = member(&Material::ground_drag_per_s),
                .unit = "1/s",
