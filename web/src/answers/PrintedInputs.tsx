@@ -5,10 +5,10 @@ import type { Summary } from '../api/results';
 import { counted, numberText } from '../units/numbers';
 import { bytesText } from '../units/texts';
 import { firstOf } from './firstOf';
-import { blocksText, lawsOf, materialsOf, modelOf, tablesOf } from './sheetInputs';
+import { blocksText, forestsOf, lawsOf, materialsOf, modelOf, tablesOf } from './sheetInputs';
 import { blockShape, releaseText } from './sheetReleases';
 
-const [mostSeeders, mostMaterials, mostSources, mostFiles] = [4, 5, 4, 5];
+const [mostSeeders, mostMaterials, mostForests, mostSources, mostFiles] = [4, 5, 4, 4, 5];
 const inReport = 'in report.html of the run';
 
 /// "and 3 more files, in report.html of the run": how many are left out after the first ones.
@@ -68,6 +68,7 @@ function Blocks({ of: { project, releases } }: { of: Summary }) {
 
 function Ground({ of: { project, inputs } }: { of: Summary }) {
   const { columns, rows } = materialsOf(project);
+  const forests = forestsOf(project);
   const sources = inputs?.material_sources ?? [];
   const texts = [...new Set(sources.map(({ source }) => source))];
   const marks = (name: string) => [...new Set(sources.filter(({ material }) => material === name).map(({ source }) => texts.indexOf(source) + 1))];
@@ -98,6 +99,7 @@ function Ground({ of: { project, inputs } }: { of: Summary }) {
         </tbody>
       </table>
       <Rest of={rows} after={mostMaterials} what="material" />
+      {forests.length > 0 && <p>Forests over it: {firstOf(forests, mostForests, inReport).join('; ')}.</p>}
       {firstOf(texts.map((text, k) => `[${k + 1}] ${text}`), mostSources, inReport).map((text) => (
         <p key={text} class="source">
           {text}

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { blocksText, drawnText, lawsOf, materialsOf, modelOf } from './sheetInputs';
+import { blocksText, drawnText, forestsOf, lawsOf, materialsOf, modelOf } from './sheetInputs';
 import { blockShape, releaseText } from './sheetReleases';
 
 const material = {
@@ -36,6 +36,16 @@ test('materials have the properties that the rock model uses', () => {
   const of = (model: string) => materialsOf(project(model));
   expect(of('lumped_mass')).toEqual({ columns: ['Rn', 'Rt', 'φ, °'], rows: [{ name: 'Scree', like: '', values: ['0.35, normal, σ 0.04', '0.85', '30'] }] });
   expect(of('rigid_sphere').columns).toContain('μ rolling');
+});
+
+test('forests have their density or drag, and their height', () => {
+  const forest = [
+    { name: 'Spruce', density: 'medium', height_m: '18', polygons: 'stands.gpkg' },
+    { name: 'Scrub', density: 'none', drag_kg_s: '120', height_m: '4' },
+    { name: 'Gap', density: 'none' },
+  ];
+  expect(forestsOf({ forest })).toEqual(['Spruce: medium, 18 m high', 'Scrub: 120 kg/s, 4 m high', 'Gap: clearing']);
+  expect(forestsOf({})).toEqual([]);
 });
 
 test('laws are those that have an effect', () => {

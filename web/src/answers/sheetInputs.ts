@@ -83,6 +83,14 @@ const properties: readonly (readonly [KeyOf<'material'>, string])[] = [
   ['forest_drag_kg_s', 'forest, kg/s'],
 ];
 
+/// The forests over the ground: "Spruce: medium, 18 m high".
+export function forestsOf(project: Echo): string[] {
+  return tablesOf(project, 'forest').map(({ name, density, drag_kg_s, height_m }) => {
+    const drag = drag_kg_s === undefined || drag_kg_s === null ? (density === 'none' ? 'clearing' : String(density)) : `${drawnText(drag_kg_s)} kg/s`;
+    return [`${String(name)}: ${drag}`, height_m !== undefined && height_m !== null && `${drawnText(height_m)} m high`].filter(Boolean).join(', ');
+  });
+}
+
 /// The materials with their properties that have an effect.
 export function materialsOf(project: Echo): { columns: string[]; rows: { name: string; like: string; values: string[] }[] } {
   const materials = tablesOf(project, 'material');

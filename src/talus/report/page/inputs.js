@@ -44,6 +44,12 @@ const entriesOf = (run, table) => listOf(run, table).map((entry) =>
 
 function inputs(parent) {
   listTable(parent, 'Materials', (run) => entriesOf(run, 'material'), (key, value) => property(value));
+  const isGiven = (value) => value !== null && value !== undefined;
+  const forest = ({density, drag_kg_s, polygon, values, ...rest}) => ({
+    ...rest, density: isGiven(drag_kg_s) ? null : density, drag_kg_s,
+    ...(polygon && {polygon: `${polygon.length} corners`}), ...(values && {values: values.join(', ')}),
+  });
+  listTable(parent, 'Forests over the ground', (run) => entriesOf(run, 'forest').map(forest), (key, value) => settingText(value));
   listTable(parent, 'Seeders', (run) => entriesOf(run, 'seeder').map((seeder) =>
     Object.fromEntries(Object.entries(seeder).filter(([, value]) => value !== false))), (key, value) => settingText(value));
   const barriers = (run, kind) => entriesOf(run, kind).map(({name, ...rest}) => ({name, kind, ...rest}));
