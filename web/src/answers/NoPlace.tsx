@@ -4,14 +4,14 @@ import type { NumberText } from '../api/exact';
 import type { Summary } from '../api/results';
 import { ask } from '../askLine/asked';
 import { drawAsked } from '../askLine/askTools';
-import { askBestContour } from '../askLine/fromMap';
+import { askLongContour } from '../askLine/fromMap';
 import { shownPaths } from '../paths/drawnPaths';
 import { shown } from '../runs/runs';
 import { displayOf } from '../state/displayUnits';
 import { attempt } from '../state/messages';
 import { numberText } from '../units/numbers';
 import { leaving } from './leaving';
-import { lengthOf, middleEnd, middleEnds } from './middleEnd';
+import { middleEnd, middleEnds, spreadOf } from './middleEnd';
 
 function Figure({ title, value, note }: { title: string; value: string; note: string }) {
   return (
@@ -31,15 +31,15 @@ function percentileIn(of: Summary, key: string, metric: string): string {
   return Number.isFinite(found) ? `${numberText(found / per, 3)} ${unit}` : 'none';
 }
 
-/// Asks where half of the rocks stop: in a section that place, in 3D the longest contour through ends about the middle
-/// one. That through the middle end itself may be a few metres around a hollow in which it lies.
+/// Asks where half of the rocks stop: in a section that place, in 3D a contour through an end about the middle one that is
+/// as long as the ends are spread. That through the middle end itself may be a few metres around a hollow.
 const takeMiddle = () =>
   attempt('the place', async () => {
     const paths = shownPaths.peek();
     const end = paths && middleEnd(paths);
     if (!end) return;
     if (shown.peek()?.dimension === 2) ask({ kind: 'line', points: [[Number(end[0].toFixed(2)), 0]] }, 'ask where half of the rocks stop', false);
-    else await askBestContour(middleEnds(paths), ({ points }) => lengthOf(points));
+    else await askLongContour(middleEnds(paths), spreadOf(middleEnds(paths)));
   });
 
 export function NoPlace({ of }: { of: Summary }) {
@@ -57,7 +57,7 @@ export function NoPlace({ of }: { of: Summary }) {
           <button
             class="button"
             disabled={!shownPaths.value || shownPaths.value.rocks.length === 0}
-            title={is2d ? 'The place where half of the drawn rocks have stopped' : 'The longest contour through places where 40 to 60 % of the drawn rocks have stopped'}
+            title={is2d ? 'The place where half of the drawn rocks have stopped' : 'A contour through a place where about half of the drawn rocks have stopped'}
             onClick={() => void takeMiddle()}
           >
             {is2d ? 'Where half of them stop' : 'Contour of the middle end'}

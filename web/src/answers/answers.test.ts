@@ -7,7 +7,7 @@ import { cardsOf } from './cards';
 import { areApart, doubtsOf } from './doubts';
 import { firstOf } from './firstOf';
 import { shouldBegin, type Situation } from './jobStep';
-import { lengthOf, middleEnd, middleEnds } from './middleEnd';
+import { middleEnd, middleEnds, spreadOf } from './middleEnd';
 import { placeName, placeOf } from './whichPlace';
 
 const figures = (share: number, height: number | null): Figures => {
@@ -187,7 +187,8 @@ test('ends about the middle one begin with it and are spread over a fifth of all
   expect(heights[0]).toBe(50);
   expect([Math.min(...heights), Math.max(...heights)]).toEqual([40, 60]);
   expect(middleEnds({ ...paths, starts: Uint32Array.of(0) } as never)).toEqual([]);
-  expect(lengthOf([[0, 0], [3, 4], [3, 5]])).toBe(6);
+  expect(spreadOf([[0, 0, 9], [3, 4, 0], [3, 5, 0]])).toBe(5);
+  expect(spreadOf([])).toBe(0);
 });
 
 test('long lists say how much is left out', () => {

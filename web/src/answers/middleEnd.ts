@@ -1,6 +1,6 @@
 // Where the middle ones of the drawn rocks end.
 
-import type { Point2, Point3 } from '../api/types';
+import type { Point3 } from '../api/types';
 import type { DrawnPaths } from '../paths/drawnPaths';
 
 type Paths = Pick<DrawnPaths, 'starts' | 'positions' | 'header'>;
@@ -25,5 +25,6 @@ export function middleEnds(paths: Paths): Point3[] {
   return [...new Set([Math.floor(ends.length / 2), ...places])].flatMap((place) => ends.slice(place, place + 1));
 }
 
-export const lengthOf = (line: readonly Point2[]): number =>
-  line.slice(1).reduce((sum, [x, y], k) => sum + Math.hypot(x - line[k]![0], y - line[k]![1]), 0);
+/// The greater side of the rectangle on plan in which these places lie [m].
+export const spreadOf = (places: readonly Point3[]): number =>
+  places.length === 0 ? 0 : Math.max(...[0, 1].map((axis) => Math.max(...places.map((at) => at[axis]!)) - Math.min(...places.map((at) => at[axis]!))));

@@ -3,6 +3,7 @@
 import { Refused, sendJson } from '../api/client';
 import type { Point2, Point3 } from '../api/types';
 import { addressOf, isDrawn, projectLayers } from '../layers/layers';
+import { lengthOf } from '../geometry/plan';
 import { draw } from '../tools/drawing';
 import { dimension } from '../project/place';
 import { sceneCamera } from '../view/sceneCamera';
@@ -63,20 +64,23 @@ export async function askContour(place: Point3, elevation_m?: number) {
   }
 }
 
-/// Asks the one of the contours through these places that `rank` puts highest, without opening the card.
-export async function askBestContour(places: readonly Point3[], rank: (contour: Contour) => number) {
+/// Asks the first of the contours through these places that is `wanted_m` long on plan, or else the longest, without
+/// opening the card.
+export async function askLongContour(places: readonly Point3[], wanted_m: number) {
   const now = model.peek();
   if (!now) return;
-  const found: Contour[] = [];
+  let [best, longest]: [Contour | null, number] = [null, -1];
   for (const place of places) {
+    if (longest >= wanted_m) break;
     try {
-      found.push(await contourOf(now.id, place));
+      const found = await contourOf(now.id, place);
+      const length = lengthOf(found.points);
+      if (length > longest) [best, longest] = [found, length];
     } catch (error) {
       if (!(error instanceof Refused)) throw error;
     }
   }
   if (model.peek()?.id !== now.id) return;
-  const [best] = found.toSorted((a, b) => rank(b) - rank(a));
   if (best) askIt(best, false);
   else notify('note', 'No contour runs through the places where rocks stop.', 'asked file');
 }

@@ -1,8 +1,7 @@
 import { expect, test } from 'vitest';
-import { rounded } from './plan';
+import { lengthOf } from './plan';
 
-test('clicked coordinates are rounded to millimetres or centimetres', () => {
-  expect(rounded(12.34567, 50)).toBe(12.346);
-  expect(rounded(652375.98765, 5000)).toBe(652375.99);
-  expect(rounded(207.0941, 0)).toBe(207.09);
+test('the length of a line is the sum of its pieces', () => {
+  expect(lengthOf([[0, 0], [3, 4], [3, 5]])).toBe(6);
+  expect(lengthOf([[1, 1]])).toBe(0);
 });
