@@ -16,7 +16,7 @@ const axisIn = (unit, scale) => d3.scaleLinear().domain(scale.domain().map((end)
 
 // Units by the ending of a setting's name, the longer endings first.
 const unitsByEnding = [
-  ['_m_s2', 'm/s²'], ['_kg_m3', 'kg/m³'], ['_deg_s', '°/s'], ['_rad_s', 'rad/s'], ['_m_s', 'm/s'], ['_per_s', '1/s'],
+  ['_m_s2', 'm/s²'], ['_kg_m3', 'kg/m³'], ['_kg_s', 'kg/s'], ['_deg_s', '°/s'], ['_rad_s', 'rad/s'], ['_m_s', 'm/s'], ['_per_s', '1/s'],
   ['_kJ', 'kJ'], ['_J', 'J'], ['_kg', 'kg'], ['_m3', 'm³'], ['_deg', '°'], ['_s', 's'], ['_m', 'm'],
 ];
 

@@ -45,8 +45,8 @@ const entriesOf = (run, table) => listOf(run, table).map((entry) =>
 function inputs(parent) {
   listTable(parent, 'Materials', (run) => entriesOf(run, 'material'), (key, value) => property(value));
   const isGiven = (value) => value !== null && value !== undefined;
-  const forest = ({density, drag_kg_s, polygon, values, ...rest}) => ({
-    ...rest, density: isGiven(drag_kg_s) ? null : density, drag_kg_s,
+  const forest = ({name, density, drag_kg_s, height_m, polygon, values, ...rest}) => ({
+    name, density: isGiven(drag_kg_s) ? null : density, drag_kg_s, height_m, ...rest,
     ...(polygon && {polygon: `${polygon.length} corners`}), ...(values && {values: values.join(', ')}),
   });
   listTable(parent, 'Forests over the ground', (run) => entriesOf(run, 'forest').map(forest), (key, value) => settingText(value));
