@@ -1,16 +1,11 @@
-# Embeds the fixed parts of the report's page (src/talus/report/page/) and the figures that it shares with the workbench
-# (web/src/figures/, bundled with the parts of D3 that they use) in the library, so that the program is one file and its
-# reports need no network. Included, it defines talus_embed_report(target); as a script
-# (cmake -DFOLDER=... -DFIGURES=... -DBUNDLE=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string per
+# Embeds the fixed parts of the report's pages (src/talus/report/page/) and their scripts (web/src/report/, bundled with the
+# figures that they share with the workbench and the parts of D3 that these use) in the library, so that the program is one
+# file and its reports need no network. Included, it defines talus_embed_report(target); as a script
+# (cmake -DFOLDER=... -DFIGURES=... -DBUNDLES=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string per
 # part.
 
-# In this order on the page: each may use the ones before it.
-set(TALUS_REPORT_SCRIPTS format settings figure run tables statistics overview terrain inputs shapes slope mapframe plan maps
-  envelopes energy distributions observed impacts barriers design convergence uncertainty paper sheet page)
-# The same for the page of a sensitivity study.
-set(TALUS_SENSITIVITY_SCRIPTS format study figure tables paper sensitivity)
-# And for that of a comparison of rock models.
-set(TALUS_MODELS_SCRIPTS format study figure tables paper models)
+# The kinds of pages; each has its entry in web/src/report.
+set(TALUS_REPORT_PAGES report sensitivity models)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(code "// Made by cmake/embed.cmake; do not edit.\n")
@@ -27,15 +22,11 @@ if(CMAKE_SCRIPT_MODE_FILE)
     endforeach()
     set(code "${code};\n" PARENT_SCOPE)
   endfunction()
-  list(TRANSFORM TALUS_REPORT_SCRIPTS REPLACE "(.+)" "${FOLDER}/\\1.js")
-  list(TRANSFORM TALUS_SENSITIVITY_SCRIPTS REPLACE "(.+)" "${FOLDER}/\\1.js")
-  list(TRANSFORM TALUS_MODELS_SCRIPTS REPLACE "(.+)" "${FOLDER}/\\1.js")
-  embed(sensitivity_script ${TALUS_SENSITIVITY_SCRIPTS})
-  embed(models_script ${TALUS_MODELS_SCRIPTS})
   embed(page "${FOLDER}/page.html")
   embed(style "${FIGURES}/figures.css" "${FOLDER}/style.css")
-  embed(script ${TALUS_REPORT_SCRIPTS})
-  embed(figures "${BUNDLE}")
+  foreach(page IN LISTS TALUS_REPORT_PAGES)
+    embed(${page}_script "${BUNDLES}/${page}.js")
+  endforeach()
   file(WRITE "${OUTPUT}" "${code}}  // namespace talus::assets\n")
   return()
 endif()
@@ -57,7 +48,7 @@ if(NOT TALUS_SERVER)
   endif()
 endif()
 
-function(talus_bundle_figures bundle)
+function(talus_bundle_report folder)
   set(web ${CMAKE_SOURCE_DIR}/web)
   if(TALUS_FIGURES_WITH_NPM)
     talus_npm(modules ${web})
@@ -65,32 +56,32 @@ function(talus_bundle_figures bundle)
   else()
     set(esbuild ${CMAKE_COMMAND} -E env NODE_PATH=${D3_MODULES} ${ESBUILD})
   endif()
-  file(GLOB sources CONFIGURE_DEPENDS ${web}/src/figures/*.ts ${web}/src/generated/columns.ts ${web}/src/geometry/*.ts
-    ${web}/src/settings/conditions.ts ${web}/src/units/*.ts)
+  file(GLOB sources CONFIGURE_DEPENDS ${web}/src/report/*.ts ${web}/src/figures/*.ts ${web}/src/generated/*.ts
+    ${web}/src/geometry/*.ts ${web}/src/settings/conditions.ts ${web}/src/units/*.ts)
+  list(TRANSFORM TALUS_REPORT_PAGES REPLACE "(.+)" "${web}/src/report/\\1.ts" OUTPUT_VARIABLE entries)
+  list(TRANSFORM TALUS_REPORT_PAGES REPLACE "(.+)" "${folder}/\\1.js" OUTPUT_VARIABLE bundles)
   add_custom_command(
-    OUTPUT ${bundle}
-    COMMAND ${esbuild} ${web}/src/figures/report.ts --bundle --format=iife --global-name=figures --minify
-      --charset=utf8 --legal-comments=inline --target=es2020 --log-level=warning --outfile=${bundle}
+    OUTPUT ${bundles}
+    COMMAND ${esbuild} ${entries} --bundle --format=iife --minify --charset=utf8 --legal-comments=inline --target=es2020
+      --log-level=warning --outdir=${folder}
     DEPENDS ${sources} ${modules}
-    COMMENT "Bundling the report's figures"
+    COMMENT "Bundling the report's pages"
     VERBATIM)
 endfunction()
 
 function(talus_embed_report target)
   set(folder ${CMAKE_SOURCE_DIR}/src/talus/report/page)
   set(figures ${CMAKE_SOURCE_DIR}/web/src/figures)
-  set(bundle ${CMAKE_BINARY_DIR}/generated/figures.js)
+  set(bundles ${CMAKE_BINARY_DIR}/generated/report)
   set(output ${CMAKE_BINARY_DIR}/generated/report_assets.cpp)
-  set(parts ${TALUS_REPORT_SCRIPTS} ${TALUS_SENSITIVITY_SCRIPTS} ${TALUS_MODELS_SCRIPTS})
-  list(REMOVE_DUPLICATES parts)
-  list(TRANSFORM parts REPLACE "(.+)" "${folder}/\\1.js")
-  talus_bundle_figures(${bundle})
+  list(TRANSFORM TALUS_REPORT_PAGES REPLACE "(.+)" "${bundles}/\\1.js" OUTPUT_VARIABLE scripts)
+  talus_bundle_report(${bundles})
   add_custom_command(
     OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFIGURES=${figures} -DBUNDLE=${bundle}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${folder} -DFIGURES=${figures} -DBUNDLES=${bundles}
       -DOUTPUT=${output} -P ${TALUS_EMBED_SCRIPT}
-    DEPENDS ${folder}/page.html ${folder}/style.css ${figures}/figures.css ${parts} ${bundle} ${TALUS_EMBED_SCRIPT}
-    COMMENT "Embedding the report's page"
+    DEPENDS ${folder}/page.html ${folder}/style.css ${figures}/figures.css ${scripts} ${TALUS_EMBED_SCRIPT}
+    COMMENT "Embedding the report's pages"
     VERBATIM)
   target_sources(${target} PRIVATE ${output})
   set_source_files_properties(${output} PROPERTIES SKIP_PRECOMPILE_HEADERS ON

@@ -10,6 +10,7 @@ import ts from 'typescript';
 export const layers = [
   { name: 'values', folders: ['generated', 'geometry', 'toml', 'units', 'settings'] },
   { name: 'figures', folders: ['figures'] },
+  { name: 'report', folders: ['report'] },
   { name: 'server', folders: ['api'] },
   { name: 'state', folders: ['state', 'project', 'runs'] },
   { name: 'controls', folders: ['ui', 'charts'] },

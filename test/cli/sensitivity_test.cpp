@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
+#include "support/browser.hpp"
 
 namespace talus::test {
 namespace {
@@ -48,7 +49,17 @@ TEST(SensitivityCommand, WritesTheSameFilesOnAnyNumberOfThreads) {
   EXPECT_THAT(place.read("slope/runs.csv"),
               HasSubstr("run,material.*.friction_angle_deg,analysis.normal_velocity_cutoff_m_s,(seed),runout\n0,"));
   EXPECT_THAT(place.read("slope/summary.json"), HasSubstr("\"method\": \"morris\""));
-  EXPECT_THAT(place.read("slope/report.html"), HasSubstr("figures.tornado"));
+}
+
+TEST(SensitivityCommand, DrawsTheEffectsOfEachResult) {
+  if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
+  const Workplace place;
+  ASSERT_EQ(talus_says("sensitivity -q " + place.write("slope.toml", study_of_tutorial())).exit_code, 0);
+  EXPECT_EQ(testing_tools::said_in_page(place / "slope/report.html", R"(
+    const [figure, ...others] = document.querySelectorAll('figure');
+    return [others.length, figure.querySelector('h4').textContent, figure.querySelectorAll('.bar').length].join(' ');
+  )"),
+            "0 runout 3");
 }
 
 TEST(SensitivityCommand, RefusesABadStudy) {

@@ -174,7 +174,7 @@ TEST(ReferencePage, IsNotStale) { expect_fresh("/docs/project-file.md", referenc
 
 TEST(SchemaModule, IsNotStale) { expect_fresh("/web/src/generated/schema.ts", schema_module()); }
 
-TEST(ReportSettings, IsNotStale) { expect_fresh("/src/talus/report/page/settings.js", report_settings()); }
+TEST(ReportSettings, IsNotStale) { expect_fresh("/web/src/generated/reportSettings.ts", report_settings()); }
 
 }  // namespace
 }  // namespace talus::project

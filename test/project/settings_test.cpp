@@ -1,7 +1,6 @@
 // The declaration of the settings: complete, consistent, and with limits for all numbers.
 
 #include "talus/project/settings.hpp"
-#include "talus/report/page/assets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +14,7 @@
 #include "project/sample_projects.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/schema.hpp"
+#include "talus/project/schema_module.hpp"
 
 namespace talus::project {
 namespace {
@@ -197,8 +197,8 @@ Json schema_of(const Table& table, const Setting& setting) {
   return (table.repeated ? found["items"] : found)["properties"][std::string(setting.key)];
 }
 
-TEST(ConditionsOfSettings, AreEmbeddedInTheReport) {
-  const std::string_view script = assets::script;
+TEST(ConditionsOfSettings, AreThoseOfTheReport) {
+  const std::string script = report_settings();
   const std::size_t begin = script.find('{', script.find("const settingConditions = ")),
                     end = script.find(";\n", begin);
   const auto embedded = nlohmann::json::parse(script.substr(begin, end - begin));
@@ -219,8 +219,8 @@ TEST(ConditionsOfSettings, AreEmbeddedInTheReport) {
   EXPECT_GT(compared, 50U);
 }
 
-TEST(DefaultsOfSettings, AreEmbeddedInTheReport) {
-  const std::string_view script = assets::script;
+TEST(DefaultsOfSettings, AreThoseOfTheReport) {
+  const std::string script = report_settings();
   const std::size_t begin = script.find('{', script.find("const settingDefaults = ")), end = script.find(";\n", begin);
   const auto embedded = nlohmann::json::parse(script.substr(begin, end - begin));
   std::size_t compared = 0;

@@ -257,15 +257,6 @@ TEST(ReportInBrowser, DescribesTheAnalysis) {
             "unit = Wald|Type_Two");
 }
 
-TEST(ReportInBrowser, ReadsTheNameAndNumberOfACoordinateSystemInBothTextForms) {
-  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
-  EXPECT_EQ(said_of(sample_run::summary("Names"), R"(
-    return [crsText('PROJCS["ETRS89 / UTM 32N",GEOGCS["ETRS89",AUTHORITY["EPSG","4258"]],AUTHORITY["EPSG","25832"]]'),
-      crsText('ENGCRS["The ""quarry""",EDATUM["none"]]'), crsText('')].join('; ');
-  )"),
-            R"(ETRS89 / UTM 32N (EPSG:25832); The "quarry"; unnamed)");
-}
-
 TEST(ReportInBrowser, ShowsHighPercentilesOfEndPointsAndHits) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   auto summary = sample_run::summary("Percentiles");
@@ -287,12 +278,6 @@ TEST(ReportInBrowser, ExplainsRocksThatPassAboveAndNegativeClearances) {
       "The figures of the hits exclude 1 rock that passed with the centre above the top. Clearance is measured from "
       "the "
       "rock's lower side; it is negative if the centre passed above the top and the lower side below it.");
-}
-
-TEST(ReportInBrowser, HasScaleBarsOfRoundLength) {
-  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
-  EXPECT_EQ(said_of(sample_run::summary("Scale"), "return [0.7, 1, 16, 49, 200, 5300].map(roundLength).join(' ');"),
-            "0.5 1 10 20 200 5000");
 }
 
 TEST(ReportInBrowser, ShowsTheFormsOfBlocks) {
@@ -338,11 +323,17 @@ TEST(ReportInBrowser, DrawsMaps) {
     const has = (what) => figures.every((f) => f.querySelector(what)) ? what + ' ' : '';
     return figures.map((f) => f.querySelector('h4').textContent).join('|') + '; ' + texts + '; ' +
       has('image.relief') + has('image.cells') + has('.scale-bar') + has('.north') + has('.release') +
-      '; ' + mapValues(runs[0].maps[1]).map((value) => number(value, 4)).join(' ') + ' kJ';
+      '; ' + [0.25, 0.75].map((part) => {
+        const cells = energy.querySelector('image.cells'), box = cells.getBoundingClientRect();
+        const at = {clientX: box.left + part * box.width, clientY: box.top + box.height / 2};
+        cells.dispatchEvent(new MouseEvent('mousemove', at));
+        return document.getElementById('tip').textContent.split('\n')[1];
+      }).join(', ');
   )"),
             "Maximum bounce height|Maximum total kinetic energy|Maximum velocity|Reach probability; "
             "y|Total kinetic energy, maximum [kJ]|30|100|300|1,000|3,000|Scale 1:75 on A4, cells of 5 m, "
-            "up to 8 kJ|Coordinate system unknown; image.relief image.cells .scale-bar .north .release ; 4 8 kJ");
+            "up to 8 kJ|Coordinate system unknown; image.relief image.cells .scale-bar .north .release ; about 4 kJ, "
+            "about 8 kJ");
 }
 
 TEST(ReportInBrowser, MapsHaveTheirStatedScaleOnPaper) {
@@ -377,15 +368,14 @@ TEST(ReportInBrowser, MapsNameTheirCoordinateSystem) {
 TEST(ReportInBrowser, MapsAreAsWideAsThePageOrSideBySide) {
   if (!has_browser()) GTEST_SKIP() << "there is no chromium";
   EXPECT_EQ(said_of(on_terrain(1000), std::string(on_paper) + R"(
-    const view = (x, y) => mapWidth({x: [0, x], y: [0, y]}) === drawing.wide ? 'wide' : 'half';
     const box = document.createElement('div');
     box.className = 'columns';
     box.innerHTML = '<figure class="wide"><svg viewBox="0 0 900 9"></svg></figure><figure><svg viewBox="0 0 430 9"></svg></figure><figure></figure>';
     document.querySelector('main').append(box);
     const widths = [...box.querySelectorAll('svg')].map((svg) => mm(svg.getBoundingClientRect().width));
-    return [view(3, 1), view(1, 1), view(1, 3), (widths[0] / 900).toFixed(4), (widths[1] / 430).toFixed(4)].join(' ');
+    return (widths[0] / 900).toFixed(4) + ' ' + (widths[1] / 430).toFixed(4);
   )"),
-            "wide half half 0.2044 0.2044");
+            "0.2044 0.2044");
 }
 
 TEST(ReportInBrowser, TwoFiguresFitOnAPage) {
@@ -414,14 +404,6 @@ TEST(ReportInBrowser, In3dEnergyIsDrawnOverTheDistanceTravelledAndEndPointsAreRu
   EXPECT_EQ(said_of(sample_run::summary("Section"), said),
             "x [m] x/distance travelled/time; x of the end point [m] ; Runout on plan [m] ; "
             "Number of the impact number of the impact/position (x)");
-}
-
-TEST(ReportInBrowser, NumbersHaveASensiblePrecision) {
-  if (!has_browser()) GTEST_SKIP() << "there is no chromium";
-  EXPECT_EQ(said_of(sample_run::summary("Digits"),
-                    "return [0.9822534, 375.9585, 1879792.2, 12.5, 4, 0.000293506, 1.3677e-14, -0.0338, null].map((x) "
-                    "=> measured(x)).join(' ');"),
-            "0.982 376 1,879,792 12.5 4 0.0003 0 −0.034 –");
 }
 
 }  // namespace

@@ -61,8 +61,8 @@ TEST(Report, LoadsNothingExternal) {
   sample_run::write(folder);
   const std::string page = page_of(folder);
   const std::regex loads(R"((src|href|data)\s*=\s*["']?\s*(https?:|//|file:))", std::regex::icase);
-  const std::string own = std::string(assets::page) + std::string(assets::style) + std::string(assets::figures) +
-                          std::string(assets::script);
+  const std::string own = std::string(assets::page) + std::string(assets::style) + std::string(assets::report_script) +
+                          std::string(assets::sensitivity_script) + std::string(assets::models_script);
   for (const std::string& text : {page, own}) {
     EXPECT_FALSE(std::regex_search(text, loads));
     for (const char* part : {"<link", "<iframe", "<script src", "@import", "url(http", "url(//"}) {
@@ -85,8 +85,8 @@ TEST(Report, IsOneCompletePage) {
   EXPECT_TRUE(page.ends_with("</html>\n"));
   EXPECT_THAT(page, HasSubstr("<title>Tutorial 1 · Talus rockfall report</title>"));
   EXPECT_THAT(page, Not(HasSubstr("{{style}}")));
-  EXPECT_EQ(count_of(page, "</script>"), 3u);  // data, figures with D3, and the page
-  EXPECT_THAT(std::string(assets::figures), HasSubstr("D3 (https://d3js.org), copyright"));
+  EXPECT_EQ(count_of(page, "</script>"), 2u);  // data, and the page with D3
+  EXPECT_THAT(std::string(assets::report_script), HasSubstr("D3 (https://d3js.org), copyright"));
 }
 
 TEST(Report, HasEveryNumberOfTheSummary) {
@@ -138,16 +138,18 @@ TEST(Report, ShowsNamesAsTextAndNeverAsMarkup) {
   EXPECT_THAT(
       page, HasSubstr("<title>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;&lt;b&gt;&quot;&amp;&#39;&lt;!-- ·"));
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
-  EXPECT_EQ(count_of(page, "</script>"), 3u);
+  EXPECT_EQ(count_of(page, "</script>"), 2u);
   EXPECT_EQ(data_in(page).at("runs").at(0).at("summary").at("barriers").at(0).at("name"), name);
-  // The page's scripts and the figures set text and attributes only; the bundle of the figures also has D3's own
-  // functions.
-  std::string scripts(assets::script);
-  for (const auto& file : std::filesystem::directory_iterator(talus::places::in_source("/web/src/figures"))) {
-    std::ifstream in(file.path());
-    if (file.path().extension() == ".ts") scripts += std::string(std::istreambuf_iterator<char>(in), {});
+  // The page's scripts and the figures set text and attributes only; the bundle also has D3's own functions.
+  std::string scripts;
+  for (const char* source : {"/web/src/report", "/web/src/figures"}) {
+    for (const auto& file : std::filesystem::directory_iterator(talus::places::in_source(source))) {
+      std::ifstream in(file.path());
+      if (file.path().extension() == ".ts") scripts += std::string(std::istreambuf_iterator<char>(in), {});
+    }
   }
   EXPECT_THAT(scripts, HasSubstr("export function histogram("));
+  EXPECT_THAT(scripts, HasSubstr("function barrierSections("));
   for (const char* part : {"innerHTML", "outerHTML", "insertAdjacentHTML", "document.write", ".html(", "eval("}) {
     EXPECT_THAT(scripts, Not(HasSubstr(part)));
   }

@@ -52,9 +52,9 @@ TEST(ReportSheet, TextsOfThePaperStayTexts) {
   summary["project"]["report"] = {{"client", "a\"; } body { display: none } </style>\\ü"}};
   EXPECT_EQ(said_of(summary, R"(
     const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]).length;
-    return document.styleSheets.length + ' ' + getComputedStyle(document.body).display + ' ' + cssText('a"\\\n<ü');
+    return document.styleSheets.length + ' ' + getComputedStyle(document.body).display;
   )"),
-            "2 block \"a\\22 \\5c \\a \\3c ü\"");
+            "2 block");
 }
 
 TEST(ReportSheet, ListsInputsSourcesAndDefaults) {

@@ -59,7 +59,7 @@ Json of_settings(const char* name) {
 }
 
 void write_tables(const char* constant, const Json& tables, std::string& out) {
-  out += fmt::format("\nconst {} = {{", constant);
+  out += fmt::format("\nexport const {} = {{", constant);
   const char* between = "\n";
   for (const auto& [key, of_table] : tables.items()) {
     out += fmt::format("{}  {}: {}", between, Json(key).dump(), of_table.dump());

@@ -9,8 +9,8 @@ namespace talus::project {
 /// word; and the list of file_formats.hpp. A test checks that the file is up to date.
 [[nodiscard]] std::string schema_module();
 
-/// src/talus/report/page/settings.js: the conditions and the defaults of that schema, as constants of the report's
-/// page. A test checks that the file is up to date.
+/// web/src/generated/reportSettings.ts: the conditions and the defaults of that schema, without its texts, for reports. A
+/// test checks that the file is up to date.
 [[nodiscard]] std::string report_settings();
 
 }  // namespace talus::project

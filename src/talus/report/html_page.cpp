@@ -51,9 +51,7 @@ std::string filled(std::string_view page, const std::map<std::string_view, std::
 
 std::string html_page(std::string_view title, const nlohmann::ordered_json& data, std::string_view script) {
   const std::string name = escaped(title), json = json_for_script(data);
-  return filled(
-      assets::page,
-      {{"title", name}, {"style", assets::style}, {"figures", assets::figures}, {"data", json}, {"script", script}});
+  return filled(assets::page, {{"title", name}, {"style", assets::style}, {"data", json}, {"script", script}});
 }
 
 }  // namespace talus

@@ -7,7 +7,7 @@
 
 namespace talus {
 
-/// The page of report/page/page.html with this title and data, drawn by `script` with the figures of web/src/figures.
+/// The page of report/page/page.html with this title and data, drawn by `script`, a bundle of web/src/report.
 [[nodiscard]] std::string html_page(std::string_view title, const nlohmann::ordered_json& data,
                                     std::string_view script);
 

@@ -238,7 +238,7 @@ std::string report_page(std::span<const RunFolder> runs, std::span<const Json> o
     Json& run = data["runs"].emplace_back(data_of(runs[k], summaries[k]));
     if (!observed.empty()) run["observed"] = observed[k];
   }
-  return html_page(title_of(runs), data, assets::script);
+  return html_page(title_of(runs), data, assets::report_script);
 }
 
 ReportNotes write_report(std::span<const std::filesystem::path> run_folders, const std::filesystem::path& html,

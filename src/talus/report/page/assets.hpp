@@ -7,10 +7,9 @@ namespace talus::assets {
 
 extern const std::string_view page;    // page.html, with placeholders such as {{title}}
 extern const std::string_view style;   // web/src/figures/figures.css and style.css
-extern const std::string_view script;  // the .js files of this folder, in the order of cmake/embed.cmake, and
-                                       // conditions and defaults of the declared settings
+// Scripts of the pages, bundled from web/src/report with the figures and D3 (d3js.org; see NOTICE):
+extern const std::string_view report_script;       // of a run's report
 extern const std::string_view sensitivity_script;  // of the report of a sensitivity study
 extern const std::string_view models_script;       // of the comparison of rock models
-extern const std::string_view figures;  // the figures shared with the workbench, and D3 (d3js.org; see NOTICE)
 
 }  // namespace talus::assets
