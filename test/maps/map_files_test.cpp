@@ -362,12 +362,20 @@ TEST(MapFiles, AreRefusedWithoutGdal) {
 #endif
 
 TEST(MapStyle, HasFixedClassesAndTheRangeOfTheValues) {
-  const std::string style = qgis_style({30, 100, 300, 1000, 3000}, "kJ", {0.5, 794});
+  const std::string style = qgis_style({30, 100, 300, 1000, 3000}, {"kJ"}, {0.5, 794});
   EXPECT_NE(style.find("leastValue=\"0.5\" greatestValue=\"794\""), std::string::npos);
   EXPECT_NE(style.find("colorRampType=\"DISCRETE\""), std::string::npos);
   EXPECT_NE(style.find("<item value=\"30\" label=\"0 to 30 kJ\" color=\"#ffffb2\""), std::string::npos);
   EXPECT_NE(style.find("<item value=\"300\" label=\"100 to 300 kJ\" color=\"#fda63f\""), std::string::npos);
   EXPECT_NE(style.find("<item value=\"inf\" label=\"3000 kJ and more\" color=\"#800026\""), std::string::npos);
+}
+
+// The smallest limit of a share is a hundred-thousandth, 1e-05 as a plain number.
+TEST(MapStyle, ShowsSharesInPercent) {
+  const std::string style = qgis_style({1e-5, 1e-4, 1e-3, 1e-2, 1e-1}, {"%", 0.01}, {1e-6, 0.5});
+  EXPECT_NE(style.find("<item value=\"1e-05\" label=\"0 to 0.001 %\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"0.1\" label=\"1 to 10 %\""), std::string::npos);
+  EXPECT_NE(style.find("<item value=\"inf\" label=\"10 % and more\""), std::string::npos);
 }
 
 }  // namespace

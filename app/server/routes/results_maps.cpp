@@ -20,6 +20,9 @@ Json classes_of(const MapFile& map) {
   return classes;
 }
 
+/// As the page knows it: it shows shares in percent.
+std::string unit_of(const MapFile& map) { return map.is_share ? "share" : map.unit; }
+
 }  // namespace
 
 void add_map_routes(Router& router, RunStore& runs) {
@@ -28,7 +31,7 @@ void add_map_routes(Router& router, RunStore& runs) {
     for (const MapFile& map : maps_of_run(results_folder(runs.find(call.part(1)))))
       list.push_back({{"name", map.name},
                       {"meaning", map.meaning},
-                      {"unit", map.unit},
+                      {"unit", unit_of(map)},
                       {"least", map.range.least},
                       {"most", map.range.greatest},
                       {"classes", classes_of(map)},
@@ -48,7 +51,7 @@ void add_map_routes(Router& router, RunStore& runs) {
                    {"cell", values.cell},
                    {"columns", values.columns},
                    {"rows", values.rows},
-                   {"unit", map->unit},
+                   {"unit", unit_of(*map)},
                    {"least", map->range.least},
                    {"most", map->range.greatest},
                    {"classes", classes_of(*map)}});

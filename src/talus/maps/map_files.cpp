@@ -185,7 +185,7 @@ class MapRaster {
     finish_file(part_, file_);
 
     OutputFile style(std::filesystem::path(file_).replace_extension(".qml"));
-    style.write(qgis_style(kind_.limits, kind_.unit, range_));
+    style.write(qgis_style(kind_.limits, kind_.is_share() ? MapUnit{"%", 0.01} : MapUnit{kind_.unit}, range_));
     style.commit();
   }
 

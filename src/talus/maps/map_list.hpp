@@ -24,6 +24,9 @@ struct MapKind {
   ClassLimits limits{};
   bool is_count = false;  // a whole number, 0 in cells without a rock
   MapOverview overview = MapOverview::maximum;
+
+  /// 0 to 1; legends show it in percent.
+  [[nodiscard]] bool is_share() const { return unit.empty() && !is_count; }
 };
 
 /// Maps whose values in a cell are computed together.

@@ -42,6 +42,7 @@ std::string kind_of(const std::string& name) {
 struct Known {
   std::size_t place;
   ClassLimits limits;
+  bool is_share;
   MapOverview overview;
 };
 
@@ -50,7 +51,7 @@ std::optional<Known> known(const std::string& stem) {
   static const std::vector<MapKind> kinds = map_kinds({.percentiles = {50}, .bands = banded_map_subjects});
   const auto found = std::ranges::find(kinds, kind_of(stem), &MapKind::name);
   if (found == kinds.end()) return std::nullopt;
-  return Known{static_cast<std::size_t>(found - kinds.begin()), found->limits, found->overview};
+  return Known{static_cast<std::size_t>(found - kinds.begin()), found->limits, found->is_share(), found->overview};
 }
 
 double percentile_in(const std::string& stem) {
@@ -119,6 +120,7 @@ void add_maps(const fs::path& folder, const std::string& prefix, const std::stri
     MapFile& map = maps.emplace_back();
     map.name = prefix + stem;
     map.limits = known(stem)->limits;
+    map.is_share = known(stem)->is_share;
     map.source = source;
     read_head(folder, map);
   }

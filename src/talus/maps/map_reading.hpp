@@ -15,8 +15,9 @@ struct MapFile {
   std::string meaning;  // one phrase
   std::string unit;     // empty: none
   ClassLimits limits{};
-  ValueRange range;    // of the whole map
-  std::string source;  // source of its rocks; empty: all
+  bool is_share = false;  // MapKind::is_share()
+  ValueRange range;       // of the whole map
+  std::string source;     // source of its rocks; empty: all
 };
 
 /// The maps in a run's folder, in the order of map_list.hpp, those of all rocks first. Empty if the program was built

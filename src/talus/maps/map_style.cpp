@@ -17,10 +17,10 @@ constexpr std::array<std::array<std::uint8_t, 3>, map_class_count> colours{{{0xf
                                                                             {0xc8, 0x28, 0x1e},
                                                                             {0x80, 0x00, 0x26}}};
 
-std::string label_of(const MapClass& each, const std::string& unit) {
-  const std::string behind = unit.empty() ? "" : " " + unit;
-  if (std::isinf(each.to)) return fmt::format("{:g}{} and more", each.from, behind);
-  return fmt::format("{:g} to {:g}{}", each.from, each.to, behind);
+std::string label_of(const MapClass& each, const MapUnit& unit) {
+  const std::string behind = unit.text.empty() ? "" : fmt::format(" {}", unit.text);
+  if (std::isinf(each.to)) return fmt::format("{:g}{} and more", each.from / unit.per, behind);
+  return fmt::format("{:g} to {:g}{}", each.from / unit.per, each.to / unit.per, behind);
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ std::array<MapClass, map_class_count> map_classes(const ClassLimits& limits) {
   return classes;
 }
 
-std::string qgis_style(const ClassLimits& limits, const std::string& unit, const ValueRange& range) {
+std::string qgis_style(const ClassLimits& limits, const MapUnit& unit, const ValueRange& range) {
   std::string items;
   for (const MapClass& each : map_classes(limits)) {
     // QGIS assigns the limit itself to the class below it: values with a fraction are never exactly on it.

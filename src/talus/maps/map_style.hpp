@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace talus {
@@ -29,7 +30,13 @@ struct ValueRange {
   double least = 0, greatest = 0;
 };
 
-/// The text of a style with these classes; cells without data stay transparent. `unit` may be empty.
-[[nodiscard]] std::string qgis_style(const ClassLimits& limits, const std::string& unit, const ValueRange& range);
+/// What a legend shows values in.
+struct MapUnit {
+  std::string_view text{};  // empty: none
+  double per = 1;           // the unit, in that of the map
+};
+
+/// The text of a style with these classes; cells without data stay transparent.
+[[nodiscard]] std::string qgis_style(const ClassLimits& limits, const MapUnit& unit, const ValueRange& range);
 
 }  // namespace talus

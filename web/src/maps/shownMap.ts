@@ -10,7 +10,6 @@ import { kept } from '../state/kept';
 import { owned } from '../state/owned';
 import { ofProject } from '../project/ofProject';
 import { displayOf, unitSystem } from '../state/displayUnits';
-import { displayedIn } from '../units/units';
 import type { MapClass } from './classes';
 import type { MapHeader } from './header';
 
@@ -42,8 +41,7 @@ export const shownMap: ReadonlySignal<ShownMap | null> = loaded;
 
 function mapOf({ name, meaning, unit: unitOfFile }: RunMap, header: MapHeader, inFile: Float32Array): ShownMap {
   const { unit, per } = displayOf(unitOfFile);
-  const metric = displayedIn('metric', unitOfFile).per; // of the classes in the header
-  const classes = header.classes.map(({ from, to, colour }) => ({ from: (from * metric) / per, to: to === null ? null : (to * metric) / per, colour }));
+  const classes = header.classes.map(({ from, to, colour }) => ({ from: from / per, to: to === null ? null : to / per, colour }));
   const values = per === 1 ? inFile : inFile.map((value) => value / per);
   let [least, greatest] = [Infinity, -Infinity];
   for (const value of values)
