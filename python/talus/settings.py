@@ -160,8 +160,8 @@ class Terrain(Table):
     section: Two or more vertices [x, z] of a slope in section, in order along the slope; or a file that has them:
     text (.csv, .txt, ...) with the columns distance and z, or x, y and z; or one line of a DXF, GeoPackage,
     Shapefile or GeoJSON. A line in space gives the section along itself. The path is relative to the project file.
-    Unit: m. Without it: one of section, mesh, triangles, raster, points, lines, polylines and polygons is required.
-    Excludes mesh, vertices, triangles, raster, points, lines, polylines, polygons.
+    Unit: m. Without it: one of `section`, `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and
+    `polygons` is required. Excludes mesh, vertices, triangles, raster, points, lines, polylines, polygons.
 
     section_layer: Layer of `section`, in a vector file or drawing. Without it: the only layer.
 
@@ -177,9 +177,9 @@ class Terrain(Table):
     at most 1e+09. Without it: the analysis is 2D. Excludes section_std_dev_m.
 
     mesh: A file of triangles in metres (.obj, .stl or .ply), or a list of such files that together make the
-    terrain: `["face.obj", "foot.ply"]`. Paths are relative to the project file. Without it: one of section, mesh,
-    triangles, raster, points, lines, polylines and polygons is required. Excludes section, vertices, triangles,
-    raster, points, lines, polylines, polygons.
+    terrain: `["face.obj", "foot.ply"]`. Paths are relative to the project file. Without it: one of `section`,
+    `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and `polygons` is required. Excludes section,
+    vertices, triangles, raster, points, lines, polylines, polygons.
 
     up: Axis of the mesh files that points up. With `"y"` (many modelling programs) the meshes are turned about x,
     so that their y becomes z, and their -z becomes y. Default: "z".
@@ -188,18 +188,18 @@ class Terrain(Table):
     section, mesh, raster, points, lines, polylines, polygons.
 
     triangles: Triangles of an inline mesh: three vertex numbers each, starting from 0, in either winding. Without
-    it: one of section, mesh, triangles, raster, points, lines, polylines and polygons is required. Excludes
-    section, mesh, raster, points, lines, polylines, polygons.
+    it: one of `section`, `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and `polygons` is required.
+    Excludes section, mesh, raster, points, lines, polylines, polygons.
 
     raster: A file of elevations in metres, on a grid in a projected coordinate system in metres: band 1 of a
     GeoTIFF, an Esri grid (.asc, .flt, .bil), an Erdas Imagine file or a VRT. The path is relative to the project
-    file. Without it: one of section, mesh, triangles, raster, points, lines, polylines and polygons is required.
-    Excludes section, mesh, vertices, triangles, points, lines, polylines, polygons.
+    file. Without it: one of `section`, `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and `polygons`
+    is required. Excludes section, mesh, vertices, triangles, points, lines, polylines, polygons.
 
     points: A file of surveyed points in metres, which are triangulated: text (.csv, .xyz, .txt, .pts, .dat), .las,
     or points of a GeoPackage, Shapefile, GeoJSON or DXF; alone or with `lines`. The path is relative to the project
-    file. Without it: one of section, mesh, triangles, raster, points, lines, polylines and polygons is required.
-    Excludes section, mesh, vertices, triangles, raster, polylines, polygons.
+    file. Without it: one of `section`, `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and `polygons`
+    is required. Excludes section, mesh, vertices, triangles, raster, polylines, polygons.
 
     point_classes: LAS: classes of the points to use; 2 is the ground. Without it: all but noise (7 and 18).
 
@@ -207,8 +207,8 @@ class Terrain(Table):
 
     lines: A vector file (GeoPackage, Shapefile, DXF, ...) of contours or breaklines with heights: their vertices
     are used as points, and no triangle crosses them; alone or with `points`. The path is relative to the project
-    file. Without it: one of section, mesh, triangles, raster, points, lines, polylines and polygons is required.
-    Excludes section, mesh, vertices, triangles, raster, polylines, polygons.
+    file. Without it: one of `section`, `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and `polygons`
+    is required. Excludes section, mesh, vertices, triangles, raster, polylines, polygons.
 
     lines_layer: Layer of `lines`. Without it: the only layer.
 
@@ -227,13 +227,13 @@ class Terrain(Table):
     Unit: m. Range: more than 0, at most 1e+09. Without it: all points are kept.
 
     polylines: Closed polylines [[x, y, z], ...], each a polygon that is triangulated; the last vertex repeats the
-    first. Unit: m. Without it: one of section, mesh, triangles, raster, points, lines, polylines and polygons is
-    required. Excludes section, mesh, vertices, triangles, raster, points, lines, polygons.
+    first. Unit: m. Without it: one of `section`, `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and
+    `polygons` is required. Excludes section, mesh, vertices, triangles, raster, points, lines, polygons.
 
     polygons: The same as `polylines`, from a vector file (DXF, GeoPackage, ...): closed lines or polygons with
-    heights. The path is relative to the project file. Without it: one of section, mesh, triangles, raster, points,
-    lines, polylines and polygons is required. Excludes section, mesh, vertices, triangles, raster, points, lines,
-    polylines.
+    heights. The path is relative to the project file. Without it: one of `section`, `mesh`, `triangles`, `raster`,
+    `points`, `lines`, `polylines` and `polygons` is required. Excludes section, mesh, vertices, triangles, raster,
+    points, lines, polylines.
 
     polygons_layer: Layer of `polygons`. Without it: the only layer.
 
@@ -469,15 +469,15 @@ class Shape(Table):
     name: Name, for seeders; must be unique, and none of the words that a seeder's `shape` has. Required.
 
     b_over_a: Intermediate axis over the longest, drawn for each rock; in 2D, the shorter axis over the longer.
-    Range: at least 0.05, at most 1. Without it: one of of, scan, polygon, sides, axes_m, b_over_a and solid is
-    required. Excludes axes_m, solid, sides, polygon, scan, of.
+    Range: at least 0.05, at most 1. Without it: one of `of`, `scan`, `polygon`, `sides`, `axes_m`, `b_over_a` and
+    `solid` is required. Excludes axes_m, solid, sides, polygon, scan, of.
 
     c_over_b: 3D: shortest axis over the intermediate, drawn for each rock. Range: at least 0.05, at most 1. Without
     it: required with `b_over_a` in 3D. Excludes axes_m, solid, sides, polygon, scan, of.
 
     axes_m: The axes of a block, three in 3D and two in 2D, in any order. Only their ratios count: the size is the
-    seeder's. Unit: m. Without it: one of of, scan, polygon, sides, axes_m, b_over_a and solid is required. Excludes
-    b_over_a, c_over_b, solid, sides, polygon, scan, of.
+    seeder's. Unit: m. Without it: one of `of`, `scan`, `polygon`, `sides`, `axes_m`, `b_over_a` and `solid` is
+    required. Excludes b_over_a, c_over_b, solid, sides, polygon, scan, of.
 
     style: `rounded`: the hull of points near an ellipsoid, no two blocks alike (2D: an ellipse); `angular`: of
     fewer points (3D); `box`: a box (2D: a rectangle). Default: "rounded".
@@ -492,23 +492,24 @@ class Shape(Table):
     axes_m, sides, polygon, scan, of.
 
     sides: A regular polygon with so many sides; in 3D a prism over it. Range: at least 3, at most 48. Without it:
-    one of of, scan, polygon, sides, axes_m, b_over_a and solid is required. Excludes b_over_a, c_over_b, axes_m,
-    solid, polygon, scan, of.
+    one of `of`, `scan`, `polygon`, `sides`, `axes_m`, `b_over_a` and `solid` is required. Excludes b_over_a,
+    c_over_b, axes_m, solid, polygon, scan, of.
 
     polygon: Three or more corners [x, z] of a section; in 3D a prism over it. The rock is their convex hull, scaled
-    to its volume. Unit: m. Without it: one of of, scan, polygon, sides, axes_m, b_over_a and solid is required.
-    Excludes b_over_a, c_over_b, axes_m, solid, sides, scan, of.
+    to its volume. Unit: m. Without it: one of `of`, `scan`, `polygon`, `sides`, `axes_m`, `b_over_a` and `solid` is
+    required. Excludes b_over_a, c_over_b, axes_m, solid, sides, scan, of.
 
     length_ratio: 3D: length of the prism over the square root of the area of its section. Range: at least 0.05, at
     most 20. Without it: 1.
 
     scan: 3D: a file of a measured block: a mesh (OBJ, STL, PLY) or points (text), in any unit. The rock is its
-    convex hull, scaled to its volume. The path is relative to the project file. Without it: one of of, scan,
-    polygon, sides, axes_m, b_over_a and solid is required. Excludes b_over_a, c_over_b, axes_m, solid, sides,
-    polygon, of.
+    convex hull, scaled to its volume. The path is relative to the project file. Without it: one of `of`, `scan`,
+    `polygon`, `sides`, `axes_m`, `b_over_a` and `solid` is required. Excludes b_over_a, c_over_b, axes_m, solid,
+    sides, polygon, of.
 
-    of: Names of other shapes, one of which is drawn for each rock. Without it: one of of, scan, polygon, sides,
-    axes_m, b_over_a and solid is required. Excludes b_over_a, c_over_b, axes_m, solid, sides, polygon, scan.
+    of: Names of other shapes, one of which is drawn for each rock. Without it: one of `of`, `scan`, `polygon`,
+    `sides`, `axes_m`, `b_over_a` and `solid` is required. Excludes b_over_a, c_over_b, axes_m, solid, sides,
+    polygon, scan.
 
     shares: Shares of the rocks, in the order of `of`; any positive numbers. Without it: equal.
     """
@@ -592,8 +593,8 @@ class Seeder(Table):
 
     place: Where in its cell a rock starts: anywhere with equal probability, or at the centre. Default: "random".
 
-    height_above_m: Height above the terrain, instead of z. Unit: m. Range: at least 0, at most 1e+09. Without it:
-    given by z.
+    height_above_m: Height above the terrain, instead of z. Unit: m. Range: at least 0, at most 1e+09. Without it: 0
+    for the cells of an area, else given by z.
 
     rocks: Total number of rocks; cells and rows get equal numbers, to within one. A table without it has one rock
     for each row. Range: at least 1, at most 1e+12. Default: 1. Excludes rocks_per_cell, rocks_per_row.
@@ -604,16 +605,16 @@ class Seeder(Table):
     rocks_per_row: Table: number of rocks from each row. Range: at least 1, at most 1e+12. Without it: 1, or given
     by `rocks`. Excludes rocks, rocks_per_cell.
 
-    mass_kg: Mass of a rock. Unit: kg. Range: at least 1e-09, at most 1e+12. Without it: one of mass_kg, volume_m3
-    and diameter_m is required, unless a table gives it. Excludes volume_m3, diameter_m.
+    mass_kg: Mass of a rock. Unit: kg. Range: at least 1e-09, at most 1e+12. Without it: one of `mass_kg`,
+    `volume_m3` and `diameter_m` is required, unless a table gives it. Excludes volume_m3, diameter_m.
 
     volume_m3: Volume of a rock; its mass follows from the density. Unit: m3. Range: at least 1e-12, at most 1e+09.
-    Without it: one of mass_kg, volume_m3 and diameter_m is required, unless a table gives it. Excludes mass_kg,
-    diameter_m.
+    Without it: one of `mass_kg`, `volume_m3` and `diameter_m` is required, unless a table gives it. Excludes
+    mass_kg, diameter_m.
 
     diameter_m: Diameter of the sphere with the rock's volume; its mass follows from the density. Unit: m. Range: at
-    least 0.0001, at most 100000. Without it: one of mass_kg, volume_m3 and diameter_m is required, unless a table
-    gives it. Excludes mass_kg, volume_m3.
+    least 0.0001, at most 100000. Without it: one of `mass_kg`, `volume_m3` and `diameter_m` is required, unless a
+    table gives it. Excludes mass_kg, volume_m3.
 
     density_kg_m3: Density of the rock; mass and density give the radius. Unit: kg/m3. Range: at least 100, at most
     20000. Default: 2700.

@@ -24,7 +24,7 @@ const schema = {
           items: { type: 'array', items: { type: 'number' }, minItems: 2, maxItems: 2 },
           'x-excludes': ['mesh'],
         },
-        mesh: { type: 'string', 'x-file': true },
+        mesh: { type: 'string', 'x-file': true, 'x-without-it': 'one of `section`, `mesh`, `polylines_m` and `"all"` is required' },
         polylines: {
           type: 'array',
           items: { type: 'array', items: { type: 'array', items: { type: 'number' }, minItems: 3, maxItems: 3 } },
@@ -99,6 +99,8 @@ describe('tables and fields of the schema', () => {
     expect(friction.type).toMatchObject({ kind: 'distribution', range: { least: 0, most: 90, mostExcluded: true } });
     expect(absentText(friction)).toBe('default 30');
     expect(absentText(field('material', 'name'))).toBe('required');
+    // With the titles of other settings, not their keys.
+    expect(absentText(field('terrain', 'mesh'))).toBe('one of section, mesh, polylines_m and "all" is required');
   });
 });
 

@@ -189,6 +189,14 @@ function kindOf(node: Node): Kind {
 const onlyModel = (needs: readonly Condition[][]) =>
   needs.find((any) => any.length === 1 && any[0]!.key === rockModelKey)?.[0]?.is?.[0] ?? '';
 
+/// What applies without a setting, with the titles of other settings of its table in place of their keys.
+const withoutIt = (text: string, table: Node) =>
+  text.replace(/`(\w+)`/g, (quoted, key: string) => {
+    const node = table.properties?.[key];
+    const title = node && (node['x-title'] ?? titleOf(key, node['x-unit']));
+    return title ? title.charAt(0).toLowerCase() + title.slice(1) : quoted;
+  });
+
 function fieldsOf(table: Node): Field[] {
   return Object.entries(table.properties ?? {}).map(([key, node]) => ({
     key: key as Name,
@@ -200,7 +208,7 @@ function fieldsOf(table: Node): Field[] {
     required: table.required?.includes(key) ?? false,
     default: node.default,
     defaultByLaws: node['x-default-by-laws'] ?? {},
-    withoutIt: node['x-without-it'] ?? '',
+    withoutIt: withoutIt(node['x-without-it'] ?? '', table),
     infinite: node['x-infinite'] ?? false,
     excludes: node['x-excludes'] ?? [],
     needs: node['x-applies-when'] ?? [],

@@ -55,7 +55,8 @@ Need on_a_map() {
 }  // namespace
 
 Table seeder_table() {
-  constexpr std::string_view one_size = "one of mass_kg, volume_m3 and diameter_m is required, unless a table gives it";
+  constexpr std::string_view one_size =
+      "one of `mass_kg`, `volume_m3` and `diameter_m` is required, unless a table gives it";
   return {
       .key = "seeder",
       .repeated = true,
@@ -242,7 +243,7 @@ Table seeder_table() {
                .slot = member(&Seeder::height_above_m),
                .unit = "m",
                .range = up_to(largest_coordinate_m, "a rock starts on the ground or above it", within_places),
-               .without_it = "given by z",
+               .without_it = "0 for the cells of an area, else given by z",
                .group = "Where rocks start",
                .meaning = "Height above the terrain, instead of z.",
                .source = "Talus",

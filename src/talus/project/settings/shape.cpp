@@ -25,7 +25,8 @@ Need of_block() {
 }  // namespace
 
 Table shape_table() {
-  constexpr std::string_view one_way = "one of of, scan, polygon, sides, axes_m, b_over_a and solid is required";
+  constexpr std::string_view one_way =
+      "one of `of`, `scan`, `polygon`, `sides`, `axes_m`, `b_over_a` and `solid` is required";
   return {
       .key = "shape",
       .repeated = true,

@@ -9,7 +9,7 @@ namespace talus::project::declared {
 namespace {
 
 constexpr std::string_view one_terrain =
-    "one of section, mesh, triangles, raster, points, lines, polylines and polygons is required";
+    "one of `section`, `mesh`, `triangles`, `raster`, `points`, `lines`, `polylines` and `polygons` is required";
 
 /// Terrain from this key cannot be rotated.
 Need fixed_with(std::string_view key, std::string_view what, std::string_view why) {
