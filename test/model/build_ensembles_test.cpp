@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include "support/projects.hpp"
 #include "talus/campaign/simulate.hpp"
 #include "talus/model/fingerprint.hpp"
+#include "talus/model/fixed_columns.hpp"
 #include "talus/model/model.hpp"
 #include "talus/project/read.hpp"
 
@@ -252,21 +254,51 @@ TEST_F(BuildEnsembles, ShareWhatGrowsWithTheTerrain) {
 TEST_F(BuildEnsembles, RefuseASampleOfOtherLaws) {
   const std::string sample =
       "weight,score,material.Scree.friction_angle_deg,fixed:analysis.scale_rn_by_velocity,fixed:analysis.gravity_m_s2,"
-      "fixed:material.Ice.roughness_deg.mean\n";
+      "fixed:material.Ice.roughness_deg.mean,fixed:forest.Spruce.drag_kg_s\n";
   const std::string found = at + ":2: its study has ", why =
                                                            ", and slope.toml has true (its parameters were found with "
                                                            "that value). Give the project this value, or calibrate "
                                                            "with that of the project";
-  EXPECT_EQ(refusal(sample + "1,0.2,30,FALSE,9.80665,3\n1,0.2,31,FALSE,9.80665,3\n"),
+  EXPECT_EQ(refusal(sample + "1,0.2,30,FALSE,9.80665,3,400\n1,0.2,31,FALSE,9.80665,3,400\n"),
             found + "analysis.scale_rn_by_velocity = FALSE" + why);
-  EXPECT_EQ(built(sample + "1,0.2,30,True,9.80665,3\n").ensembles.size(), 10u) << "it has no material Ice";
-  EXPECT_EQ(refusal(sample + "1,0.2,30,true,9.80665,3\n1,0.2,30,false,9.80665,3\n"),
+  EXPECT_EQ(built(sample + "1,0.2,30,True,9.80665,3,400\n").ensembles.size(), 10u)
+      << "it has no material Ice and no forest Spruce";
+  EXPECT_EQ(refusal(sample + "1,0.2,30,true,9.80665,3,400\n1,0.2,30,false,9.80665,3,400\n"),
             at +
                 ":3: fixed:analysis.scale_rn_by_velocity is false (the first row has true). Keep the sets of one study "
                 "in one file");
   EXPECT_EQ(refusal("score,material.Scree.friction_angle_deg,fixed:analysis.wind\n0.2,30,5\n"),
             at + ":2: its study has analysis.wind = 5, and slope.toml has none (its parameters were found with that "
                  "value). Give the project this value, or calibrate with that of the project");
+}
+
+TEST_F(BuildEnsembles, RefuseASampleOfOtherForests) {
+  const std::string section = "section = [[0, 0], [10, -10], [100, -10]]\n";
+  const std::string wooded = replaced(replaced(scree, section, section + "width_m = 20\n"), "[1, 5]", "[1, 10, 5]") +
+                             "[[forest]]\nname = \"Spruce\"\ndrag_kg_s = 300\nheight_m = 8\n"
+                             "polygon = [[20, 0], [60, 0], [60, 20], [20, 20]]\n"
+                             "[sampling]\nparameters = \"posterior.csv\"\nensembles = 10\n";
+  write("slope.toml", wooded);
+  const Reading reading = read_project(path("slope.toml"), {});
+  const auto built_with = [&](const std::string& drag) {
+    write("posterior.csv",
+          "score,material.Scree.friction_angle_deg,fixed:forest.Spruce.drag_kg_s,fixed:forest.Beech.height_m\n0.2,30," +
+              drag + ",12\n");
+    return build_model(reading.project, warnings_).ensembles.size();
+  };
+  EXPECT_EQ(built_with("300"), 10u);
+  EXPECT_EQ(refusal_of([&] { static_cast<void>(built_with("400")); }),
+            "slope.toml:21: [sampling]: parameters posterior.csv:2: its study has forest.Spruce.drag_kg_s = 400, and "
+            "slope.toml has 300.0 (its parameters were found "
+            "with that value). Give the project this value, or calibrate with that of the project");
+
+  Project set = reading.project;
+  set.forests.front().drag_kg_s = 400;
+  const std::vector<FixedSetting> fixed = fixed_settings(set, &reading.project, {});
+  EXPECT_TRUE(std::ranges::any_of(
+      fixed, [](const FixedSetting& each) { return each.path == "forest.Spruce.drag_kg_s" && each.value == "400.0"; }));
+  EXPECT_TRUE(
+      std::ranges::none_of(fixed, [](const FixedSetting& each) { return each.path == "forest.Spruce.height_m"; }));
 }
 
 // Sites of a study may have other laws. A project is that of its site, or of any whose laws it has.

@@ -233,7 +233,8 @@ std::vector<project::FixedSetting> fixed_columns(const PreparedStudy& study) {
     try {
       as_written = project::read_project(prepared.project().file).project;
     } catch (const BadInput&) {
-      // Without the settings of the study it is no project: then all values of its materials are the study's.
+      // Without the settings of the study it is no project: then all values of its materials and forests are the
+      // study's.
     }
     for (const project::FixedSetting& each :
          project::fixed_settings(prepared.project(), as_written ? &*as_written : nullptr, varied))

@@ -27,6 +27,21 @@ std::map<std::string, std::string> values_of(const Project& project) {
   return values;
 }
 
+/// Tables whose entries a study may set, and another project may lack.
+constexpr std::array tables_of_entries{"material.", "forest."};
+
+bool is_of_entry(const std::string& path) {
+  return std::ranges::any_of(tables_of_entries, [&](const char* table) { return path.starts_with(table); });
+}
+
+/// Where the paths of their settings begin: material.Scree.
+std::vector<std::string> entries_of(const Project& project) {
+  std::vector<std::string> entries;
+  for (const Material& each : project.materials) entries.push_back(fmt::format("material.{}.", each.name));
+  for (const ForestArea& each : project.forests) entries.push_back(fmt::format("forest.{}.", each.name));
+  return entries;
+}
+
 bool is_law(const std::string& path) {
   return path.starts_with("analysis.") && std::ranges::find(limits, path) == limits.end();
 }
@@ -49,7 +64,7 @@ std::vector<FixedSetting> fixed_settings(const Project& project, const Project* 
   for (const auto& [path, value] : values_of(project)) {
     if (std::ranges::find(varied, path) != varied.end()) continue;
     const auto before = written.find(path);
-    const bool is_set = path.starts_with("material.") && (before == written.end() || before->second != value);
+    const bool is_set = is_of_entry(path) && (before == written.end() || before->second != value);
     if (is_law(path) || is_set) settings.push_back({path, value});
   }
   return settings;
@@ -66,10 +81,11 @@ bool is_fixed_column(std::string_view name) { return name.starts_with(prefix); }
 FixedColumns::FixedColumns(const DataTable& table, const Project& project, std::string site)
     : project_(project), site_(std::move(site)) {
   const auto own = values_of(project);
+  const std::vector<std::string> entries = entries_of(project);
   for (std::size_t k = 0; k < table.columns().size(); ++k) {
     if (!is_fixed_column(table.columns()[k])) continue;
     const std::string name = table.columns()[k].substr(prefix.size());
-    // Names of materials may have an @: the path is the longest that the project has.
+    // Names of entries may have an @: the path is the longest that the project has.
     std::size_t end = name.size();
     while (end != std::string::npos && !own.contains(name.substr(0, end))) end = name.rfind('@', end - 1);
     if (end == std::string::npos) end = name.find('@');
@@ -83,12 +99,9 @@ FixedColumns::FixedColumns(const DataTable& table, const Project& project, std::
     const auto known = own.find(column.path);
     column.is_there = known != own.end();
     if (column.is_there) column.own = known->second;
-    // A project without the material has nothing to disagree.
-    const bool is_of_material = column.path.starts_with("material.");
-    const auto has_it = [&](const Material& material) {
-      return column.path.starts_with("material." + material.name + ".");
-    };
-    if (!column.is_there && is_of_material && std::ranges::none_of(project.materials, has_it)) continue;
+    // A project without the material or forest has nothing to disagree.
+    const auto is_its = [&](const std::string& entry) { return column.path.starts_with(entry); };
+    if (!column.is_there && is_of_entry(column.path) && std::ranges::none_of(entries, is_its)) continue;
     if (!site_.empty() && !column.sites.empty() && std::ranges::find(column.sites, site_) == column.sites.end())
       continue;
     columns_.push_back(std::move(column));

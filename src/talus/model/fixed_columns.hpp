@@ -17,8 +17,8 @@ struct FixedSetting {
   std::string path, value;
 };
 
-/// The laws of a project, and what else of its materials differs from `as_written`, but for the settings in `varied`.
-/// Limits of the computation are no laws.
+/// The laws of a project, and what else of its materials and forests differs from `as_written`, but for the settings in
+/// `varied`. Limits of the computation are no laws.
 [[nodiscard]] std::vector<FixedSetting> fixed_settings(const Project& project, const Project* as_written,
                                                        std::span<const std::string> varied);
 
