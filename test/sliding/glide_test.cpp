@@ -8,6 +8,7 @@
 #include <deque>
 
 #include "support/dice.hpp"
+#include "talus/sliding/drag.hpp"
 #include "talus/sliding/stepped.hpp"
 
 namespace talus::glide_test {
@@ -15,7 +16,8 @@ namespace {
 
 using testing_tools::Dice;
 
-constexpr GlideLaws laws{0.01, 0.1, 600};
+constexpr GlideLaws laws{0.1, 600};
+constexpr double timestep = 0.01;
 
 /// A glide on a triangle of some metres, with the rock inside it.
 Glide random_glide(Dice& dice) {
@@ -26,8 +28,10 @@ Glide random_glide(Dice& dice) {
   glide.vy = glide.speed * std::sin(direction);
   glide.speed = std::sqrt(glide.vx * glide.vx + glide.vy * glide.vy);
   glide.time = dice.between(0, 30);
-  glide.gain = laws.timestep * dice.between(0.1, 9);
-  glide.braking = laws.timestep * dice.between(0, 9);
+  glide.timestep = timestep;
+  glide.gain = timestep * dice.between(0.1, 9);
+  glide.braking = timestep * dice.between(0, 9);
+  if (dice.chance(0.5)) glide.kept = dice.between(0.8, 1);
   for (std::size_t k = 0; k < 3; ++k) {
     const double inward = 2.1 * static_cast<double>(k) + dice.between(-0.5, 0.5);
     glide.sides[k] = {dice.magnitude(0.01, 5), std::cos(inward), std::sin(inward)};
@@ -48,12 +52,16 @@ TEST(Glide, StepsLikeASlide) {
   int steps = 0;
   for (int k = 0; k < 2000; ++k) {
     Glide glide = random_glide(dice);
-    const Footing footing{{glide.gain / laws.timestep, 0, 0}, 1};
-    const Leg leg = stepped_leg({glide.x, glide.y, 0}, {glide.vx, glide.vy, 0}, Vec3{}, footing,
-                                glide.braking / laws.timestep, laws.timestep);
+    const Vec3 velocity(glide.vx, glide.vy, 0);
+    const Footing footing{{glide.gain / timestep, 0, 0}, glide.braking / timestep};
+    const double rate = -std::log(glide.kept) / timestep,
+                 undragged = glide.kept < 1 ? share_with_drag(rate * timestep) : 1;
+    const Footing full{footing.pull / undragged, footing.normal_acceleration / undragged};
+    const Leg leg = stepped_leg({glide.x, glide.y, 0}, velocity, Vec3{},
+                                glide.kept < 1 ? dragged(full, velocity, rate, timestep, 1) : full, 1, timestep);
     if (!try_step(laws, glide)) continue;
     ++steps;
-    EXPECT_EQ(leg.duration, laws.timestep);
+    EXPECT_EQ(leg.duration, timestep);
     const Vec3 end = leg.path.at(leg.duration);
     EXPECT_NEAR(glide.x, end.x(), 1e-14);
     EXPECT_NEAR(glide.y, end.y(), 1e-14);
@@ -68,6 +76,7 @@ TEST(Glide, StepsLikeASlide) {
 // (gain - braking)).
 TEST(Glide, FollowsTheClosedFormDownTheLineOfFall) {
   Glide glide;
+  glide.timestep = timestep;
   glide.vx = glide.speed = 2;
   glide.gain = 0.05;
   glide.braking = 0.03;
@@ -82,6 +91,29 @@ TEST(Glide, FollowsTheClosedFormDownTheLineOfFall) {
   EXPECT_EQ(k, 904);  // the last step before x = 100: 0.01 (2 k + 0.01 k (k + 1)) = 100 at k = 904.99
 }
 
+// With drag v = c/k + (v0 - c/k) e^(-k t), exact at the end of every step for any timestep; a step moves the rock with
+// the velocity at its end.
+TEST(Glide, HasTheExactVelocityOfADraggedSlide) {
+  for (const double rate : {0.05, 0.7, 9.0}) {
+    constexpr double net = 1.2, friction = 3;
+    const double share = share_with_drag(rate * timestep);
+    Glide glide;
+    glide.timestep = timestep;
+    glide.vx = glide.speed = 6;
+    glide.kept = 1 - share * rate * timestep;
+    glide.gain = share * timestep * (net + friction);
+    glide.braking = share * timestep * friction;
+    double x = 0;
+    for (int k = 1; k <= 400 && try_step(laws, glide); ++k) {
+      const double exact = net / rate + (6 - net / rate) * std::exp(-rate * k * timestep);
+      x += timestep * exact;
+      ASSERT_NEAR(glide.vx, exact, 1e-11);
+      ASSERT_NEAR(glide.x, x, 1e-10);
+    }
+    EXPECT_NEAR(glide.time, 4, 1e-9) << rate;
+  }
+}
+
 TEST(Glide, EndsBeforeItsLimits) {
   const auto steps_of = [](Glide glide) {
     int steps = 0;
@@ -89,6 +121,7 @@ TEST(Glide, EndsBeforeItsLimits) {
     return steps;
   };
   Glide plain;
+  plain.timestep = timestep;
   plain.vx = plain.speed = 1;
   plain.gain = plain.braking = 0.05;  // at constant speed: 1 cm per step
   plain.sides[0] = {0.0951, -1, 0};

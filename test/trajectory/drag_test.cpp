@@ -269,6 +269,33 @@ TEST(SoftGround, BrakesASlideByTheClosedForm) {
   EXPECT_NEAR(path.outcome.end.time, t_fall + std::log1p(k * v0 / c) / k, 2e-4);
 }
 
+// Down a slope on which friction stops the rock, c = mu g cos - g sin. Almost all of a stepped slide is a glide; it
+// moves with the velocity at the end of each step, first order in the timestep.
+TEST(SoftGround, BrakesASteppedSlideByTheClosedForm) {
+  const double angle = 0.35, mu = 0.5, k = 0.6, v0 = 10;
+  const Vec2 slope[] = {{-500, 500 * std::tan(angle)}, {500, -500 * std::tan(angle)}};
+  const Profile ground(slope);
+  Material material = material_of({.rn = 0, .rt = 1, .phi = std::atan(mu)});
+  material.ground_drag = k;
+  const Ground soft(material);
+  const double c = g * (mu * std::cos(angle) - std::sin(angle)), way = v0 / k - c / (k * k) * std::log1p(k * v0 / c);
+  const auto error = [&](double timestep) {
+    Laws laws;
+    laws.impact = PlainImpact{};
+    laws.timestep = timestep;
+    laws.stopped_velocity = 1e-3;
+    const Release release = launched(1000, {0, 0, 0}, {v0 * std::cos(angle), 0, -v0 * std::sin(angle) - 1e-6});
+    RockLog log(true, true);
+    const RockOutcome outcome =
+        follow_rock(Scene<Profile>{ground, soft, {}, laws}, release, Draws(SamplingPlan{}, 0), log);
+    const double steps = std::log1p(k * v0 / c) / k / timestep;
+    EXPECT_GT(static_cast<double>(log.glide_steps.size()), 0.9 * steps);
+    return outcome.end.position.x() / std::cos(angle) - way;
+  };
+  EXPECT_NEAR(error(0.01) / error(0.005), 2, 0.05);
+  EXPECT_LT(std::abs(error(0.01)), 0.06);
+}
+
 // A forest also brakes a sliding lumped mass, but not a sphere whose centre is above it.
 TEST(Forest, BrakesSlidingAndRollingBelowItsHeight) {
   const Profile ground(level);

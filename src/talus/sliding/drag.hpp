@@ -33,12 +33,19 @@ namespace talus {
   return 0.1 / rate;
 }
 
+/// The pull, less friction along the motion [m/s2].
+[[nodiscard]] inline Vec3 net_pull(const Footing& footing, double friction, const Vec3& velocity) {
+  return footing.pull - friction / std::max(velocity.norm(), tolerance::least_speed) * velocity;
+}
+
+/// phi, for `braking` = k t.
+[[nodiscard]] inline double share_with_drag(double braking) { return -std::expm1(-braking) / braking; }
+
 /// The footing for a leg of `timestep` with drag of this `rate` k [1/s]. `share`: the share of a force on the centre
 /// that accelerates it, 1 for sliding, rolling_share for rolling.
 [[nodiscard]] inline Footing dragged(const Footing& footing, const Vec3& velocity, double rate, double timestep,
                                      double share) {
-  const double braking = share * rate * timestep;
-  const double phi = -std::expm1(-braking) / braking;
+  const double phi = share_with_drag(share * rate * timestep);
   return {phi * (footing.pull - rate * velocity), phi * footing.normal_acceleration};
 }
 

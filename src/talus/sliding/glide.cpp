@@ -15,7 +15,9 @@ namespace talus {
 
 GlideLanes::GlideLanes(const GlideLaws& laws) : laws_(laws) {
   // Empty lanes get numbers that are harmless in every operation, and that take no step.
-  for (Lanes* each : {&x_, &y_, &vy_, &speed_, &time_, &gain_, &braking_, &squared_way_, &way_to_bump_}) each->fill(0);
+  for (Lanes* each :
+       {&x_, &y_, &vy_, &speed_, &time_, &timestep_, &gain_, &braking_, &kept_, &squared_way_, &way_to_bump_})
+    each->fill(0);
   vx_.fill(1);
   for (std::size_t k = 0; k < 3; ++k) {
     for (Lanes* each : {&distance_[k], &down_[k], &aside_[k]}) each->fill(0);
@@ -36,8 +38,10 @@ void GlideLanes::add(Glide& glide, std::vector<GlideStep>* trace, std::size_t na
   vy_[lane] = glide.vy;
   speed_[lane] = glide.speed;
   time_[lane] = glide.time;
+  timestep_[lane] = glide.timestep;
   gain_[lane] = glide.gain;
   braking_[lane] = glide.braking;
+  kept_[lane] = glide.kept;
   squared_way_[lane] = glide.squared_way;
   way_to_bump_[lane] = glide.way_to_bump;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -84,8 +88,10 @@ TALUS_WIDE_LANES auto GlideLanes::step_all() -> LaneSet {
   const GlideLaws laws = laws_;
   for (std::size_t k = 0; k < width; ++k) {
     const Glide glide{{x_[k], y_[k], vx_[k], vy_[k], speed_[k], time_[k], way_to_bump_[k]},
+                      timestep_[k],
                       gain_[k],
                       braking_[k],
+                      kept_[k],
                       squared_way_[k],
                       {{{distance_[0][k], down_[0][k], aside_[0][k]},
                         {distance_[1][k], down_[1][k], aside_[1][k]},

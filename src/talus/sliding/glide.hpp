@@ -19,7 +19,6 @@ namespace talus {
 
 /// The settings that all glides of a run share.
 struct GlideLaws {
-  double timestep;          // [s]
   double stopped_velocity;  // [m/s]
   double max_time;          // of a rock [s]
 };
@@ -38,9 +37,11 @@ struct GlideSide {
   double distance = 1, down = 0, aside = 0;  // of the start from it [m], and its growth with x and y
 };
 
-/// One rock's glide.
+/// One rock's glide. It starts above the velocity at which the rock may stop.
 struct Glide : GlideMotion {
+  double timestep = 0;           // [s]
   double gain = 0, braking = 0;  // change of speed per step, by the pull and by friction [m/s]
+  double kept = 1;               // the share of the velocity that drag leaves in a step
   // The square of the distance from the start within which there is no barrier [m2].
   double squared_way = std::numeric_limits<double>::infinity();
   std::array<GlideSide, 3> sides;
@@ -56,18 +57,18 @@ struct GlideStep {
 /// Without branches, so that it can be computed for several rocks at once.
 [[nodiscard, gnu::always_inline]] inline std::pair<GlideMotion, bool> after_step(const GlideLaws& laws,
                                                                                  const Glide& glide) {
-  const double wx = glide.vx + glide.gain, vy = glide.vy, size = std::sqrt(wx * wx + vy * vy);
+  const double wx = glide.kept * glide.vx + glide.gain, wy = glide.kept * glide.vy, size = std::sqrt(wx * wx + wy * wy);
   const double kept = 1 - glide.braking / size;
   GlideMotion then;
   then.vx = kept * wx;
-  then.vy = kept * vy;
+  then.vy = kept * wy;
   then.speed = size - glide.braking;
-  then.time = glide.time + laws.timestep;
-  then.x = glide.x + laws.timestep * then.vx;
-  then.y = glide.y + laws.timestep * then.vy;
-  then.way_to_bump = glide.way_to_bump - laws.timestep * then.speed;
-  bool stays = (glide.speed >= laws.stopped_velocity) & (then.time < laws.max_time) &
-               (then.speed >= laws.stopped_velocity) & (wx * glide.vx + vy * vy >= glide.braking * glide.speed) &
+  then.time = glide.time + glide.timestep;
+  then.x = glide.x + glide.timestep * then.vx;
+  then.y = glide.y + glide.timestep * then.vy;
+  then.way_to_bump = glide.way_to_bump - glide.timestep * then.speed;
+  bool stays = (then.time < laws.max_time) & (then.speed >= laws.stopped_velocity) &
+               (wx * glide.vx + wy * glide.vy >= glide.braking * glide.speed) &
                (then.x * then.x + then.y * then.y < glide.squared_way) & (then.way_to_bump > 0);
   for (const GlideSide& side : glide.sides)
     stays &= side.distance + then.x * side.down + then.y * side.aside > contact_slack;
@@ -119,7 +120,7 @@ class GlideLanes {
   std::array<Glide*, width> glides_{};
   std::array<std::vector<GlideStep>*, width> traces_{};
   std::array<std::size_t, width> names_{};
-  alignas(64) Lanes x_, y_, vx_, vy_, speed_, time_, gain_, braking_, squared_way_, way_to_bump_;
+  alignas(64) Lanes x_, y_, vx_, vy_, speed_, time_, timestep_, gain_, braking_, kept_, squared_way_, way_to_bump_;
   std::array<Lanes, 3> distance_, down_, aside_;
 };
 

@@ -19,7 +19,9 @@ struct GlideOnFacet {
 template <class Surface>
 [[nodiscard]] std::optional<GlideOnFacet> prepare_glide(MovingRock<Surface>& rock, const OnFacet& phase) {
   const Laws& laws = rock.laws;
-  if (rock.is_sphere() || laws.sliding != SlidingMethod::stepped || phase.friction.drag != 0) return std::nullopt;
+  // In a share of the timestep. Legs become longer near the terminal velocity; the steps of a glide stay as they are.
+  constexpr double shortest_step = 0.01;
+  if (rock.is_sphere() || laws.sliding != SlidingMethod::stepped) return std::nullopt;
   const Footing footing = footing_of(rock, phase);
   const double pull = footing.pull.norm();
   if (pull == 0) return std::nullopt;
@@ -33,9 +35,20 @@ template <class Surface>
   glide.vx = motion.velocity.dot(on.down);
   glide.vy = motion.velocity.dot(on.aside);
   glide.speed = std::sqrt(glide.vx * glide.vx + glide.vy * glide.vy);
+  if (!(glide.speed >= laws.stopped_velocity)) return std::nullopt;
   glide.time = motion.time;
-  glide.gain = laws.timestep * pull;
-  glide.braking = laws.timestep * phase.friction.mu * footing.normal_acceleration;
+  const double rate = phase.friction.drag, mu = phase.friction.mu;
+  glide.timestep = laws.timestep;
+  double share = 1;  // of the pull and of friction
+  if (rate > 0) {
+    const Vec3 net = net_pull(footing, mu * footing.normal_acceleration, motion.velocity);
+    glide.timestep = dragged_timestep(rate, laws.timestep, net, motion.velocity);
+    if (glide.timestep < shortest_step * laws.timestep) return std::nullopt;
+    share = share_with_drag(rate * glide.timestep);
+    glide.kept = 1 - share * rate * glide.timestep;
+  }
+  glide.gain = share * glide.timestep * pull;
+  glide.braking = share * glide.timestep * mu * footing.normal_acceleration;
   const double way = free_way(rock.barriers, start, rock.reach);
   glide.squared_way = way * way;
   on.way_to_bump = glide.way_to_bump = rock.way_to_bump(phase.on.facet);
@@ -61,7 +74,7 @@ void end_glide(TrackedRock<Surface, Sink>& rock, const GlideOnFacet& on) {
     motion.time = glide.time;
   }
   const double way = std::sqrt(glide.x * glide.x + glide.y * glide.y);
-  rock.tell(event::Glide{before, motion, way, rock.laws.timestep, on.down, on.aside, on.facet});
+  rock.tell(event::Glide{before, motion, way, glide.timestep, on.down, on.aside, on.facet});
   if (moves) rock.update_max_energy();
 }
 

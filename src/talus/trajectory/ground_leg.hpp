@@ -67,8 +67,7 @@ template <class Surface, class Current>
   const double friction = footing.normal_acceleration * (rolls              ? plane.friction.rolling
                                                          : rock.is_sphere() ? plane.friction.dynamic
                                                                             : phase.friction.mu);
-  const Vec3 net = footing.pull - friction / std::max(velocity.norm(), tolerance::least_speed) * velocity;
-  const double timestep = dragged_timestep(drag, longest, net, velocity);
+  const double timestep = dragged_timestep(drag, longest, net_pull(footing, friction, velocity), velocity);
   const double share = rolls ? rolling_share(plane.rock) : 1;
   return cut_short(leg_without_drag(rock, phase, dragged(footing, velocity, drag, timestep, share), timestep),
                    timestep);

@@ -49,9 +49,7 @@ class RockRun {
     if constexpr (requires { rock_.sink.glide_trace(); }) return rock_.sink.glide_trace();
     return nullptr;
   }
-  [[nodiscard]] static GlideLaws glide_laws(const Laws& laws) {
-    return {laws.timestep, laws.stopped_velocity, laws.max_time};
-  }
+  [[nodiscard]] static GlideLaws glide_laws(const Laws& laws) { return {laws.stopped_velocity, laws.max_time}; }
   /// Follows the rock from release to rest, glides included.
   RockOutcome follow();
   /// Of a rock whose run has ended.
