@@ -34,20 +34,27 @@ template <class Surface>
   return to;
 }
 
+/// The end of a flight, or of a piece of one, if it leaves the ground with this drag rate only there; or else where the
+/// rate changes before.
+template <class Surface, class End>
+[[nodiscard]] End until_forest_border(const MovingRock<Surface>& rock, const Parabola& path, const End& end,
+                                      double rate) {
+  for (double t = 0; t < end.t;) {
+    const double next = std::min(end.t, t + forest_step_time(rock.laws, path.velocity(t)));
+    Vec3 place = path.at(next);
+    if (next == end.t && end.contact) place += tolerance::box_pad * unit_z;  // not in the ground by rounding
+    if (forest_drag_at(rock, place) != rate) return {forest_border_between(rock, path, t, next, rate), {}, {}};
+    t = next;
+  }
+  return end;
+}
+
 /// A flight outside forests, up to the first one.
 template <class Surface, class Sink, class InAir>
 [[nodiscard]] std::optional<Phase> fly_to_forest(TrackedRock<Surface, Sink>& rock, const InAir& phase) {
   const Parabola path{rock.motion.position, rock.motion.velocity, rock.laws.gravity};
-  auto end = end_of_flight(rock, phase, path, rock.laws.max_time - rock.motion.time);
-  for (double t = 0; t < end.t;) {
-    const double next = std::min(end.t, t + forest_step_time(rock.laws, path.velocity(t)));
-    if (forest_drag_at(rock, path.at(next)) > 0) {
-      end = {forest_border_between(rock, path, t, next, 0), {}, {}};
-      break;
-    }
-    t = next;
-  }
-  return fly_along(rock, phase, path, {}, end);
+  const auto end = end_of_flight(rock, phase, path, rock.laws.max_time - rock.motion.time);
+  return fly_along(rock, phase, path, {}, until_forest_border(rock, path, end, 0));
 }
 
 /// One piece of a flight in a forest.
@@ -56,7 +63,7 @@ template <class Surface, class Sink, class InAir>
   const Motion& motion = rock.motion;
   const Laws& laws = rock.laws;
   LinearDrag drag{rate, laws.gravity};
-  double length = std::min(drag.longest_piece(), forest_step_time(laws, motion.velocity));
+  double length = drag.longest_piece();
   // Pebbles in a dense forest sink slowly, in very short pieces: at terminal velocity they move on a straight line.
   const bool sinks =
       length * motion.velocity.norm() < 0.01 * tolerance::forest_step && drag.sinks_evenly(motion.velocity);
@@ -67,12 +74,10 @@ template <class Surface, class Sink, class InAir>
   length = std::min(length, drag.parameter(laws.max_time - motion.time));
   const Parabola path =
       sinks ? Parabola{motion.position, motion.velocity, Vec3{}} : drag.piece(motion.position, motion.velocity, length);
-  if (forest_drag_at(rock, path.at(length)) != rate) length = forest_border_between(rock, path, 0, length, rate);
-
-  auto end = first_contact(rock, phase, path, drag, length);
-  if (!end.contact && !rock.surface.ground_below(path.at(length))) {
+  auto end = until_forest_border(rock, path, first_contact(rock, phase, path, drag, length), rate);
+  if (!end.contact && !rock.surface.ground_below(path.at(end.t))) {
     const Exit exit = rock.exit_of(path);
-    if (exit.t <= length) end = {exit.t, {}, exit};
+    if (exit.t <= end.t) end = {exit.t, {}, exit};
   }
   return fly_along(rock, phase, path, drag, end);
 }
