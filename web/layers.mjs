@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 
 export const layers = [
-  { name: 'values', folders: ['generated', 'geometry', 'toml', 'units', 'settings'] },
+  { name: 'values', folders: ['generated', 'archive', 'geometry', 'toml', 'units', 'settings'] },
   { name: 'figures', folders: ['figures'] },
   { name: 'report', folders: ['report'] },
   { name: 'server', folders: ['api'] },

@@ -1,7 +1,7 @@
 # Bundles the report's pages as a build without npm does, with Debian's esbuild and D3, and compares what the figures in
 # them offer with those of npm: cmake -DWEB=... -DESBUILD=... -DD3_MODULES=... -DFOLDER=... -P without_npm.cmake
 file(REMOVE_RECURSE "${FOLDER}")
-foreach(part figures generated geometry report settings units)
+foreach(part archive figures generated geometry report settings units)
   file(COPY "${WEB}/src/${part}" DESTINATION "${FOLDER}")  # away from node_modules
 endforeach()
 set(without_npm "${CMAKE_COMMAND};-E;env;NODE_PATH=${D3_MODULES};${ESBUILD}")

@@ -1,5 +1,6 @@
 // Requests for the results of a run.
 
+import type { AppliedFactorOf, DesignLineOf, DesignPairOf, FiguresOf, IntervalOf, PairKitOf, SummaryOf } from '../archive/summary';
 import { getJson, getText } from './client';
 import { parseExact, type NumberText } from './exact';
 import type { Difference, RockAnswer, RunMap, Statistics } from './types';
@@ -18,88 +19,14 @@ export interface RockFilter {
   maxEnergy_kJ: number | null;
 }
 
-/// Descriptive statistics as in summary.json.
-export interface FigureTexts {
-  [figure: string]: NumberText | NumberText[] | Record<string, NumberText>;
-}
-
-/// The part of summary.json that the page shows.
-export interface Summary {
-  name: string;
-  seed: NumberText;
-  rocks: { planned: NumberText; done: NumberText; lifted: NumberText };
-  interrupted: boolean;
-  end_reasons: Record<string, NumberText>;
-  events: NumberText;
-  statistics: Record<string, FigureTexts>;
-  barriers?: { name: string; kind: 'barrier' | 'collector'; statistics?: Record<string, FigureTexts> }[];
-  design?: Design;
-  sources: { name: string }[];
-  /// By seeder.
-  releases?: { rocks: NumberText }[];
-  project: { seeder: { name?: string }[]; [table: string]: unknown };
-  /// Files with the checksums that they had when the run began, and where values of the library are from.
-  inputs?: {
-    files: { name: string; bytes: NumberText; sha256: string }[];
-    material_sources?: { material: string; like: string; keys: string[]; source: string }[];
-  };
-  talus?: { version: string };
-  warnings: string[];
-  /// Of the warnings that have one, by their place in the list.
-  warning_kinds?: { warning: NumberText; kind: string; where: string }[];
-  notes?: string[];
-  timings: { seconds: NumberText; rocks_per_second: NumberText; threads: NumberText };
-}
-
-/// A percentile with the ends of its confidence interval; null if there are too few rocks.
-export type Interval = [NumberText, NumberText | null, NumberText | null];
-export interface DesignLine {
-  name: string;
-  rocks: NumberText;
-  percentiles: Record<string, Record<string, Interval>>;
-  needs: { energy_J: NumberText; class: NumberText; height_m: NumberText } | null;
-  clearance_m: NumberText | null;
-  most_elongation_m: NumberText | null;
-}
-
-/// A kit of a pair of lines.
-export interface PairKit {
-  line: string;
-  kit: string | null;
-  height_m: NumberText;
-  energy_J: NumberText;
-}
-/// Two lines, one behind the other.
-export interface DesignPair {
-  first: PairKit;
-  second: PairKit;
-  suffices: boolean;
-  caught_share: { value: NumberText; low: NumberText; high: NumberText } | null;
-  caught_by_first: NumberText;
-  at_second: NumberText;
-  caught_by_second: NumberText;
-  beside: NumberText;
-  cost: NumberText;
-  overlap_m: NumberText | null;
-  needs_overlap_m: NumberText | null;
-}
-/// A factor of the check, with where its value is from.
-export interface AppliedFactor {
-  symbol: string;
-  key: string;
-  multiplies: string;
-  value: NumberText;
-  source: string;
-  not_read: string;
-}
-export interface Design {
-  standard: string | null;
-  applied_factors?: AppliedFactor[];
-  pairs?: DesignPair[];
-  confidence: NumberText;
-  design_percentile: NumberText;
-  lines: DesignLine[];
-}
+// summary.json with the numbers as texts of the file.
+export type FigureTexts = FiguresOf<NumberText>;
+export type Summary = SummaryOf<NumberText>;
+export type Interval = IntervalOf<NumberText>;
+export type DesignLine = DesignLineOf<NumberText>;
+export type PairKit = PairKitOf<NumberText>;
+export type DesignPair = DesignPairOf<NumberText>;
+export type AppliedFactor = AppliedFactorOf<NumberText>;
 
 export interface BarrierAnswer {
   name: string;

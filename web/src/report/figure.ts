@@ -2,67 +2,104 @@
 // contains the user's names.
 
 import * as d3 from '../figures/d3';
-import * as figures from '../figures/report';
+import { saveCsv, savePng, saveSvg, type Cell } from '../figures/files';
+import type { Group, Room } from '../figures/plot';
+import type { UnitSystem } from '../units/units';
 import { showIn, unitSystem } from './format';
 
-// Widths in drawing units, about one pixel on a screen. Two half figures and the gap of .columns (style.css) are as wide
-// as a wide one, which fills the width of A4 between its margins. A unit has the same length in both.
-export const drawing = {wide: 900, half: 430, mmOnPaper: 184 / 900};
+/// Widths in drawing units, about one pixel on a screen. Two half figures and the gap of .columns (style.css) are as wide
+/// as a wide one, which fills the width of A4 between its margins. A unit has the same length in both.
+export const drawing = { wide: 900, half: 430, mmOnPaper: 184 / 900 };
 
 // Saved figures are named after the run or study of the page, if it is one.
 let nameOfPage = '';
-export function nameFigures(name) {
+export function nameFigures(name: string) {
   nameOfPage = name;
 }
 
-export function element(parent, tag, text, attributes = {}) {
-  const made = parent.append(tag);
+export function element(
+  parent: Group,
+  tag: string,
+  text?: string | null,
+  attributes: Readonly<Record<string, string | number>> = {},
+): Group {
+  const made: Group = parent.append(tag);
   if (text !== undefined && text !== null) made.text(text);
   for (const [key, value] of Object.entries(attributes)) made.attr(key, value);
   return made;
 }
 
-// A choice of the units, after which `redraw` draws the page again.
-export function unitChoice(parent, redraw) {
-  const select = element(parent, 'label', 'Units ', {class: 'units'}).append('select');
-  for (const system of ['metric', 'US customary']) element(select, 'option', system, {value: system});
-  select.property('value', unitSystem).on('change', function () {
-    showIn(this.value);
+/// A choice of the units, after which `redraw` draws the page again.
+export function unitChoice(parent: Group, redraw: () => void) {
+  const select: Group = element(parent, 'label', 'Units ', { class: 'units' }).append('select');
+  for (const system of ['metric', 'US customary']) element(select, 'option', system, { value: system });
+  select.property('value', unitSystem).on('change', () => {
+    showIn(select.property('value') as UnitSystem);
     redraw();
-    d3.select('.units select').node().focus();
+    (d3.select('.units select').node() as HTMLElement).focus();
   });
 }
 
-// On a page that is not metric, says what stays metric.
-export function unitNote(parent, metricParts) {
+/// On a page that is not metric, says what stays metric.
+export function unitNote(parent: Group, metricParts: string) {
   if (unitSystem === 'metric') return;
-  element(parent, 'p', `Results are in US customary units; 1 kip·ft is 1,000 ft·lbf. ${metricParts} and saved tables of values are metric, as are all other files.`, {class: 'quiet unit-note'});
+  const text = `Results are in US customary units; 1 kip·ft is 1,000 ft·lbf. ${metricParts} and saved tables of values are metric, as are all other files.`;
+  element(parent, 'p', text, { class: 'quiet unit-note' });
 }
 
-// Returns {node, head, caption, redraw}. A figure of web/src/figures is drawn by `fill(element, room)` into an area
-// `tall` units high, any other by `draw(svg, width)`, which returns the height it used. `rows()` returns the table that
-// the CSV button saves; its first row has the column names.
-export function figure(parent, {title, caption, label, width = drawing.half, tall, fill, draw, rows}) {
-  const node = parent.append('figure').attr('class', width === drawing.wide ? 'wide' : '');
-  const head = element(node, 'div', null, {class: 'figure-head'});
+interface Drawn {
+  /// Draws into an empty drawing and returns the height that it used.
+  draw: (svg: Group, width: number) => number;
+}
+interface Filled {
+  /// A figure of web/src/figures, `tall` units high.
+  fill: (element: SVGSVGElement, room: Room) => void;
+  tall: number;
+}
+export type FigureOptions = (Drawn | Filled) & {
+  title: string;
+  caption: string;
+  /// For screen readers; the title if it is missing.
+  label?: string;
+  width?: number;
+  /// The table that the CSV button saves; its first row has the column names.
+  rows?: () => readonly (readonly (Cell | null | undefined)[])[];
+};
+
+export interface MadeFigure {
+  node: Group;
+  head: Group;
+  caption: Group;
+  redraw: () => void;
+}
+
+export function figure(parent: Group, options: FigureOptions): MadeFigure {
+  const { title, caption, label, width = drawing.half, rows } = options;
+  const node: Group = parent.append('figure').attr('class', width === drawing.wide ? 'wide' : '');
+  const head = element(node, 'div', null, { class: 'figure-head' });
   element(head, 'h4', title);
-  const tools = element(head, 'span', null, {class: 'save'});
-  const svg = element(node, 'svg', null, {class: 'drawing', role: 'img', 'aria-label': label || title});
+  const tools = element(head, 'span', null, { class: 'save' });
+  const svg = element(node, 'svg', null, { class: 'drawing', role: 'img', 'aria-label': label || title });
+  const drawn = svg.node() as SVGSVGElement;
   const note = element(node, 'figcaption', caption);
   const redraw = () => {
-    if (fill) return void fill(svg.node(), {width, height: tall});
+    if ('fill' in options) return options.fill(drawn, { width, height: options.tall });
     svg.selectAll('*').remove();
-    const height = draw(svg, width);
-    svg.attr('viewBox', `0 0 ${width} ${height}`);
+    svg.attr('viewBox', `0 0 ${width} ${options.draw(svg, width)}`);
   };
   redraw();
   const name = title.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'figure';
-  const button = (text, what, action, more = '') =>
-    element(tools, 'button', text, {type: 'button', title: `Save as ${text}${more}`, 'aria-label': `Save "${title}" as ${what}${more}`}).on('click', action);
+  const button = (text: string, what: string, action: () => void, more = '') =>
+    element(tools, 'button', text, {
+      type: 'button',
+      title: `Save as ${text}${more}`,
+      'aria-label': `Save "${title}" as ${what}${more}`,
+    }).on('click', action);
   const fullTitle = nameOfPage ? `${title}: ${nameOfPage}` : title;
-  button('SVG', 'SVG drawing', () => figures.saveSvg(name, svg.node(), fullTitle));
-  button('PNG', 'PNG picture', () => figures.savePng(name, svg.node(), fullTitle));
+  button('SVG', 'SVG drawing', () => saveSvg(name, drawn, fullTitle));
+  button('PNG', 'PNG picture', () => void savePng(name, drawn, fullTitle));
   const isMetric = unitSystem === 'metric';
-  if (rows) button('CSV', 'table of values', () => figures.saveCsv(isMetric ? name : `${name}-in-metric-units`, rows()), isMetric ? '' : ' in metric units');
-  return {node, head, caption: note, redraw};
+  const csvName = isMetric ? name : `${name}-in-metric-units`;
+  if (rows) button('CSV', 'table of values', () => saveCsv(csvName, rows()), isMetric ? '' : ' in metric units');
+  return { node, head, caption: note, redraw };
 }
