@@ -3,7 +3,11 @@
 
 /// Descriptive statistics of one quantity, by their names in the file; null: too few values.
 export interface FiguresOf<N> {
-  [figure: string]: N | null | (N | null)[] | Record<string, N | null>;
+  count: N;
+  quartiles?: (N | null)[];
+  /// By percent.
+  percentiles?: Record<string, N | null>;
+  [figure: string]: N | null | undefined | (N | null)[] | Record<string, N | null>;
 }
 
 /// Counts of values in bins from `low`, each `width` wide.

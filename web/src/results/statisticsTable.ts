@@ -31,7 +31,7 @@ export interface Figure {
 export function figuresOf(given: FigureTexts): Figure[] {
   return titles.flatMap(([key, title]): Figure[] =>
     key === 'percentile'
-      ? Object.keys((given.percentiles ?? {}) as object).map((percent) => ({
+      ? Object.keys(given.percentiles ?? {}).map((percent) => ({
           key: `percentile_${percent}`,
           title: `Percentile ${percent}`,
         }))
@@ -47,9 +47,9 @@ export function unitOfFigure(key: string, unit: string): string {
 
 /// '' if it is not given.
 export function figureText(given: FigureTexts, key: string): NumberText {
-  if (key === 'quartile_1') return (given.quartiles as NumberText[] | undefined)?.[0] ?? '';
-  if (key === 'quartile_3') return (given.quartiles as NumberText[] | undefined)?.[2] ?? '';
+  if (key === 'quartile_1') return given.quartiles?.[0] ?? '';
+  if (key === 'quartile_3') return given.quartiles?.[2] ?? '';
   if (key.startsWith('percentile_'))
-    return (given.percentiles as Record<string, NumberText> | undefined)?.[key.slice('percentile_'.length)] ?? '';
+    return given.percentiles?.[key.slice('percentile_'.length)] ?? '';
   return (given[key] as NumberText | null | undefined) ?? '';
 }
