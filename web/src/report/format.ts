@@ -81,7 +81,7 @@ export const inSavedUnit = (unit: string, value: number | null | undefined) =>
 export const kJ = (joules: number | null | undefined) => inSavedUnit('J', joules);
 export const count = (n: number, one: string, many = `${one}s`) => `${number(n)} ${n === 1 ? one : many}`;
 
-const isList = (value: Setting): value is readonly Setting[] => Array.isArray(value);
+export const isList = (value: Setting): value is readonly Setting[] => Array.isArray(value);
 type Entries = Readonly<Record<string, Setting>>;
 
 /// A property as in the tables of the verification manual: a number, or a mean with its distribution.

@@ -2,80 +2,113 @@
 // collectors: the greatest of a run is mostly a fall from the cliff, which no fence has to stop.
 
 import * as d3 from '../figures/d3';
+import type { Group } from '../figures/plot';
 import { element } from './figure';
-import { isNumber, number, resultIn, settingText, unitIn } from './format';
-import { runs, single } from './run';
-import { table } from './tables';
+import { isNumber, number, resultIn, unitIn } from './format';
+import { resultsAt, runs, single, type Run } from './run';
+import { table, type BodyCell, type Row } from './tables';
 
-export function cards(parent) {
-  const box = element(parent, 'div', null, {class: 'cards'});
-  const card = (what, valueOf) => {
-    const values = runs.map(valueOf);
-    if (values.every((v) => v === null)) return;
-    const node = element(box, 'div', null, {class: 'card'});
-    element(node, 'div', what, {class: 'what'});
-    values.forEach((value, i) => {
-      const line = element(node, 'div', null, {class: 'value'});
-      if (!single) line.style('color', runs[i].colour);
-      line.append('span').text(value === null ? '–' : value[0]);
-      if (value && value[1]) element(line, 'small', ' ' + value[1]);
-    });
-  };
-  const of = (name, key, unit) => (run) => {
-    const value = (run.statistics[name] || {})[key];
-    return isNumber(value) ? [resultIn(unit, value), unitIn(unit)] : null;
-  };
-  card('Rocks', (run) => run.summary.rocks ? [number(run.summary.rocks.done), run.summary.interrupted ? `of ${number(run.summary.rocks.planned)}` : ''] : null);
-  card('Mean runout (plan)', of('runout_xy_m', 'mean', 'm'));
-  card('Maximum runout (plan)', of('runout_xy_m', 'maximum', 'm'));
-  card('Maximum total kinetic energy', of('max_ke_J', 'maximum', 'J'));
-  const names = [...new Set(runs.flatMap((run) => run.barriers.map((b) => b.name)))];
-  if (names.length > 0 && names.length <= 2) {
-    for (const name of names) {
-      card(`Reached ${name}`, (run) => {
-        const b = run.barriers.find((other) => other.name === name);
-        return b ? [number(b.hits), `hits, ${number(b.passed_above)} above`] : null;
-      });
-      const percentileAt = (key, unit) => (run) => {
-        const b = run.barriers.find((other) => other.name === name);
-        const value = (((b || {}).statistics || {})[key] || {percentiles: {}}).percentiles['95'];
-        return isNumber(value) ? [resultIn(unit, value), unitIn(unit)] : null;
-      };
-      card(`95 % total energy at ${name}`, percentileAt('ke_total_J', 'J'));
-      card(`95 % height of contact at ${name}`, percentileAt('impact_height_m', 'm'));
-    }
+// The value of a card in a run, with small type behind it; null: the run has none.
+type CardValue = readonly [text: string, small: string] | null;
+
+function card(parent: Group, what: string, valueOf: (run: Run) => CardValue) {
+  const values = runs.map((run) => ({ run, value: valueOf(run) }));
+  if (values.every(({ value }) => value === null)) return;
+  const node = element(parent, 'div', null, { class: 'card' });
+  element(node, 'div', what, { class: 'what' });
+  for (const { run, value } of values) {
+    const line = element(node, 'div', null, { class: 'value' });
+    if (!single) line.style('color', run.colour);
+    const [text, small] = value ?? ['–', ''];
+    element(line, 'span', text);
+    if (small) element(line, 'small', ` ${small}`);
   }
 }
 
-// Drops the "road.toml:31: warning: " of the command line, which is redundant under this heading.
-const warningText = (warning) => (typeof warning === 'string' ? warning : settingText(warning)).replace(/^(?:.*?: )?warning: /, '');
+const valueIn = (unit: string, value: unknown): CardValue =>
+  isNumber(value) ? [resultIn(unit, value), unitIn(unit)] : null;
 
-export function warnings(parent) {
-  const lines = runs.flatMap((run) => {
-    const mark = single ? '' : run.label + ': ';
-    const rocks = run.summary.rocks || {};
-    const stopped = run.summary.interrupted ? [`The run was interrupted after ${number(rocks.done)} of ${number(rocks.planned)} rocks.`] : [];
-    return [...stopped, ...run.warnings.map(warningText), ...(run.summary.notes || []), ...run.notes].map((line) => mark + line);
+const ofRocks = (quantity: string, figure: string, unit: string) => (run: Run) =>
+  valueIn(unit, run.statistics[quantity]?.[figure]);
+
+function rocksOf({ summary: { rocks, interrupted } }: Run): CardValue {
+  return rocks ? [number(rocks.done), interrupted ? `of ${number(rocks.planned)}` : ''] : null;
+}
+
+function barrierCards(parent: Group, name: string) {
+  card(parent, `Reached ${name}`, (run) => {
+    const barrier = resultsAt(run, name);
+    return barrier ? [number(barrier.hits), `hits, ${number(barrier.passed_above)} above`] : null;
   });
-  if (!lines.length) return element(parent, 'p', 'The run has no warnings.', {class: 'quiet'});
-  const note = element(parent, 'div', null, {class: 'note'});
+  const percentileOf = (quantity: string, unit: string) => (run: Run) =>
+    valueIn(unit, resultsAt(run, name)?.statistics?.[quantity]?.percentiles?.['95']);
+  card(parent, `95 % total energy at ${name}`, percentileOf('ke_total_J', 'J'));
+  card(parent, `95 % height of contact at ${name}`, percentileOf('impact_height_m', 'm'));
+}
+
+const mostBarriersWithCards = 2;
+
+export function cards(parent: Group) {
+  const box = element(parent, 'div', null, { class: 'cards' });
+  card(box, 'Rocks', rocksOf);
+  card(box, 'Mean runout (plan)', ofRocks('runout_xy_m', 'mean', 'm'));
+  card(box, 'Maximum runout (plan)', ofRocks('runout_xy_m', 'maximum', 'm'));
+  card(box, 'Maximum total kinetic energy', ofRocks('max_ke_J', 'maximum', 'J'));
+  const names = [...new Set(runs.flatMap(({ barriers }) => barriers.map(({ name }) => name)))];
+  if (names.length <= mostBarriersWithCards) for (const name of names) barrierCards(box, name);
+}
+
+// Drops the "road.toml:31: warning: " of the command line, which is redundant under this heading.
+const warningText = (warning: string) => warning.replace(/^(?:.*?: )?warning: /, '');
+
+function warningsOf({ label, summary, notes }: Run): string[] {
+  const { rocks, interrupted } = summary;
+  const stopped = `The run was interrupted after ${number(rocks?.done)} of ${number(rocks?.planned)} rocks.`;
+  const lines = [
+    ...(interrupted ? [stopped] : []),
+    ...(summary.warnings ?? []).map(warningText),
+    ...(summary.notes ?? []),
+    ...notes,
+  ];
+  return lines.map((line) => (single ? line : `${label}: ${line}`));
+}
+
+export function warnings(parent: Group) {
+  const lines = runs.flatMap(warningsOf);
+  if (lines.length === 0) {
+    element(parent, 'p', 'The run has no warnings.', { class: 'quiet' });
+    return;
+  }
+  const note = element(parent, 'div', null, { class: 'note' });
   element(note, 'h4', 'Warnings and notes');
   const list = element(note, 'ul');
   for (const line of lines) element(list, 'li', line);
 }
 
-export function endReasons(parent) {
-  const reasons = [...new Set(runs.flatMap((run) => Object.keys(run.summary.end_reasons || {})))];
-  const countOf = (run, reason) => (run.summary.end_reasons || {})[reason] ?? 0;
-  const used = reasons.filter((reason) => runs.some((run) => countOf(run, reason) > 0));
-  if (!used.length) return element(parent, 'p', 'The summary has no end reasons.', {class: 'quiet'});
-  const share = (run, reason) => countOf(run, reason) / (d3.sum(reasons, (r) => countOf(run, r)) || 1);
-  const rows = used.map((reason) => [reason, ...runs.flatMap((run) => [
-    number(countOf(run, reason)),
-    number(100 * share(run, reason), 3) + ' %',
-    {text: '', draw: (td) => element(td, 'span', null, {class: 'meter', style: `width:${(160 * share(run, reason)).toFixed(1)}px`}).style('--run', run.colour)},
-  ])]);
-  const head = [['Reason', ...runs.flatMap(() => ['Rocks', 'Share', ''])]];
-  if (!single) head.unshift(['', ...runs.map((run) => ({text: run.label, run, span: 3}))]);
-  table(parent, {head, rows, numeric: (column) => column > 0 && column % 3 !== 0});
+// The number of rocks with an end reason, their share of all, and the share as a bar.
+function reasonCells({ summary, colour }: Run, reason: string): (string | BodyCell)[] {
+  const counts = summary.end_reasons ?? {};
+  const rocks = counts[reason] ?? 0;
+  const share = rocks / (d3.sum(Object.values(counts)) || 1);
+  const draw = (cell: Group) =>
+    element(cell, 'span', null, { class: 'meter', style: `width:${(160 * share).toFixed(1)}px` }).style('--run', colour);
+  return [number(rocks), `${number(100 * share, 3)} %`, { text: '', draw }];
+}
+
+export function endReasons(parent: Group) {
+  const occurring = ({ summary }: Run) =>
+    Object.entries(summary.end_reasons ?? {}).flatMap(([reason, rocks]) => (rocks > 0 ? [reason] : []));
+  const reasons = [...new Set(runs.flatMap(occurring))];
+  if (reasons.length === 0) {
+    element(parent, 'p', 'The summary has no end reasons.', { class: 'quiet' });
+    return;
+  }
+  table(parent, {
+    head: [
+      ...(single ? [] : [['', ...runs.map((run) => ({ text: run.label, run, span: 3 }))]]),
+      ['Reason', ...runs.flatMap(() => ['Rocks', 'Share', ''])],
+    ],
+    rows: reasons.map((reason): Row => [reason, ...runs.flatMap((run) => reasonCells(run, reason))]),
+    numeric: (column) => column > 0 && column % 3 !== 0,
+  });
 }
