@@ -21,6 +21,14 @@ export interface HistogramOf<N> {
 export type Setting = string | number | boolean | null | undefined | readonly Setting[] | { readonly [key: string]: Setting };
 /// A table of settings, such as [analysis] or one [[material]].
 export type Settings = Readonly<Record<string, Setting>>;
+/// Complete, with defaults: tables by name, repeated tables as lists.
+export type Project = Readonly<Record<string, Settings | readonly Settings[]>>;
+
+/// The entries of a repeated table, such as [[material]]; none if it is missing.
+export function entriesIn(project: Project, table: string): readonly Settings[] {
+  const found = project[table];
+  return Array.isArray(found) ? (found as readonly Settings[]) : [];
+}
 
 export interface BarrierOf<N> {
   name: string;
@@ -175,8 +183,7 @@ export interface SummaryOf<N> {
   sources: { name: string }[];
   /// By seeder.
   releases?: { rocks: N }[];
-  /// Complete, with defaults: tables by name, repeated tables as lists.
-  project: Readonly<Record<string, Settings | readonly Settings[]>>;
+  project: Project;
   /// Files with the checksums that they had when the run began, and where values of the library are from.
   inputs?: {
     files: { name: string; bytes: N; sha256: string }[];

@@ -1,6 +1,14 @@
 // The runs of the page.
 
-import type { BarrierOf, FiguresOf, HistogramOf, Settings, SummaryOf, TerrainSummary } from '../archive/summary';
+import {
+  entriesIn,
+  type BarrierOf,
+  type FiguresOf,
+  type HistogramOf,
+  type Settings,
+  type SummaryOf,
+  type TerrainSummary,
+} from '../archive/summary';
 import {
   embedded,
   records,
@@ -98,10 +106,7 @@ export function tableOf({ summary }: Run, table: string): Settings {
   return found && !Array.isArray(found) ? (found as Settings) : {};
 }
 /// The entries of a repeated table, such as [[material]].
-export function listOf({ summary }: Run, table: string): readonly Settings[] {
-  const found = summary.project[table];
-  return Array.isArray(found) ? (found as readonly Settings[]) : [];
-}
+export const listOf = ({ summary }: Run, table: string) => entriesIn(summary.project, table);
 export const materialsOf = (run: Run) => listOf(run, 'material');
 export const barriersOf = (run: Run) => [...listOf(run, 'barrier'), ...listOf(run, 'collector')];
 export const nameIn = ({ name }: Settings) => (typeof name === 'string' ? name : '');

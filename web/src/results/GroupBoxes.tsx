@@ -3,6 +3,7 @@
 import { useCallback, useState } from 'preact/hooks';
 import { results, type ColumnStatistics, type RockFilter } from '../api/results';
 import type { Run } from '../api/types';
+import { entriesIn } from '../archive/summary';
 import { boxes, boxRows } from '../figures/boxes';
 import type { Room } from '../figures/plot';
 import { filter } from '../runs/filter';
@@ -29,7 +30,7 @@ async function namesOf(run: Run, grouping: Exclude<Grouping, 'none'>, signal: Ab
   const summary = await results.summary(run.id, signal);
   const names = {
     reasons: () => Object.keys(summary.end_reasons),
-    seeders: () => summary.project.seeder.map(({ name }, k) => name ?? `seeder ${k + 1}`),
+    seeders: () => entriesIn(summary.project, 'seeder').map(({ name }, k) => (typeof name === 'string' ? name : `seeder ${k + 1}`)),
     sources: () => summary.sources.map(({ name }) => name),
     barriers: () => (summary.barriers ?? []).map(({ name }) => name),
   }[grouping]();
