@@ -50,7 +50,7 @@ export interface FigureUncertainty extends NamedFigure {
   parameter_share: number;
 }
 
-/// A distance between simulated and observed stops, beside what chance alone gives.
+/// Observed stops, and distances between them and the simulated ones, beside what chance alone gives.
 export interface ObservedData {
   file: string;
   stops: Table;
@@ -60,9 +60,30 @@ export interface ObservedData {
   runout: string | null;
   quantities: ObservedQuantity[];
 }
+/// A distance between simulated and observed rocks, the median and the 95th percentile of the same by chance, and the
+/// share of draws that are as far.
+export interface ObservedDistance {
+  value: number;
+  median: number;
+  p95: number;
+  p_value: number;
+}
+export interface ObservedFacts {
+  mean: number;
+  p05: number;
+  median: number;
+  p95: number;
+  /// Values with the share of rocks up to each.
+  cumulative: [number, number][];
+}
+/// All lengths are in metres.
 export interface ObservedQuantity {
   key: 'position' | 'x' | 'runout' | 'lateral';
-  [figure: string]: unknown;
+  energy_distance: ObservedDistance;
+  /// Of a position on plan missing, as are all below.
+  kolmogorov_smirnov?: ObservedDistance;
+  simulated?: ObservedFacts;
+  observed?: ObservedFacts;
 }
 
 export interface RunData {

@@ -1,29 +1,10 @@
-// Lines of facts below a heading.
+// What the page says of its runs below the heading.
 
 import type { Group } from '../figures/plot';
-import { element } from './figure';
+import { factsLine, knownFacts } from './factsLine';
 import { isNumber, number } from './format';
-import { runs, single, tableOf, type Run } from './run';
+import { runs, single, tableOf } from './run';
 import { terrainFile } from './terrain';
-
-/// A label and its value.
-export type Fact = readonly [label: string, value: string];
-
-export function factsLine(parent: Group, facts: readonly Fact[], run: Run | null = null) {
-  const line = element(parent, 'p', null, { class: 'facts' });
-  if (run) {
-    element(line, 'span', run.label, { class: 'run-name' }).style('--run', run.colour);
-    element(line, 'span', '   ');
-  }
-  facts.forEach(([label, value], k) => {
-    element(line, 'span', (k > 0 ? '  ·  ' : '') + label);
-    element(line, 'b', value);
-  });
-}
-
-/// Those that have a value.
-export const knownFacts = (facts: readonly (readonly [string, string | null | undefined | false])[]): Fact[] =>
-  facts.flatMap(([label, value]) => (value ? [[label, value] as const] : []));
 
 const modelWords: Record<string, string> = { lumped_mass: 'lumped mass', rigid_sphere: 'rigid sphere', rigid_body: 'rigid body' };
 

@@ -1,6 +1,6 @@
 // The size of maps and their round scales on paper.
 
-import type { Range } from '../figures/plot';
+import { extentOf, type Range, type Scale, type Side } from '../figures/plot';
 import { drawing } from './figure';
 
 /// What a map shows, in metres.
@@ -8,6 +8,12 @@ export interface View {
   x: Range;
   y: Range;
 }
+
+/// Around points [x, y], with margins as shares of their extent.
+export const viewOf = (points: readonly (readonly [number, number])[], margin: number): View => ({
+  x: extentOf(points.map(([x]) => x), margin),
+  y: extentOf(points.map(([, y]) => y), margin),
+});
 
 /// The room for a map, in drawing units: `across` and `tallest` are those of its frame, which `fills` it if there is
 /// ground to show; its notes stand beside the legend, or below it.
@@ -18,6 +24,17 @@ export interface MapRoom {
   tallest: number;
   fills: boolean;
   isBeside: boolean;
+}
+
+/// The frame of a map and its scales.
+export interface MapFrame {
+  side: Side;
+  /// Drawing units per metre, and the same as the denominator of a scale on paper.
+  scale: number;
+  denominator: number;
+  shown: View;
+  toX: Scale;
+  toY: Scale;
 }
 
 /// The largest 1, 2 or 5 times a power of ten that is at most `maximum`.

@@ -1,174 +1,157 @@
 // The plan of a terrain with contours, trajectories and end points.
 
+import type { Relief } from '../archive/summary';
 import * as d3 from '../figures/d3';
-import { extentOf, legend, sign, tip } from '../figures/report';
+import { legend, sign, type Group } from '../figures/plot';
+import { tip } from '../figures/tip';
+import { choice } from './choice';
+import { contoursWithin, type Contours } from './contours';
 import { drawing, element, figure } from './figure';
-import { displayOf, givenLength, isNumber, unitSystem } from './format';
-import { boxOfText, finishMap, fixedBoxes, groundOf, hillshade, isFree, layRelief, mapFrame, noteMap, openMap } from './mapframe';
-import { mapRoom, mapWidth, metresPerUnit } from './mapRoom';
-import { barrierLine, barriersOf, runs, single } from './run';
-import { endSigns } from './shapes';
-import { choice, drawRocks, shownRows, shownText } from './slope';
+import { displayOf, givenLength } from './format';
+import { finishMap, fixedBoxes, groundOf, layRelief, mapFrame, noteMap, openMap } from './mapframe';
+import { mapRoom, mapWidth, metresPerUnit, viewOf, type MapFrame, type MapRoom, type View } from './mapRoom';
+import { hillshade } from './relief';
+import { drawRocks, rockSigns, shownRows, shownText } from './rocks';
+import { barrierLine, barriersOf, runs, type Run } from './run';
+import { boxOfText, isFree, type Box } from './textBoxes';
+import type { Point } from './travel';
 
-// Contours as lists of points [x, y]. They stop at holes and at the edge of the relief.
-function contourLines(relief, levels) {
-  const {columns, rows, cell_m, x0, y0, z_m} = relief;
-  const low = levels[0] - (levels[1] - levels[0] || 1) * 1000;
-  const values = z_m.map((z) => isNumber(z) ? z : low);
-  const known = (i, j) => i >= 0 && j >= 0 && i < columns && j < rows && isNumber(z_m[j * columns + i]);
-  const inside = ([a, b]) => [Math.floor(a), Math.ceil(a)].every((i) => [Math.floor(b), Math.ceil(b)].every((j) => known(i, j)));
-  return d3.contours().size([columns, rows]).thresholds(levels)(values).map((shape) => {
-    const lines = [];
-    for (const ring of shape.coordinates.flat()) {
-      let line = [];
-      for (const [a, b] of ring) {
-        const point = [a - 0.5, b - 0.5];  // d3-contour has grid points at half-integers
-        if (inside(point)) {
-          line.push([x0 + point[0] * cell_m, y0 + point[1] * cell_m]);
-        } else if (line.length) {
-          lines.push(line);
-          line = [];
-        }
-      }
-      if (line.length) lines.push(line);
-    }
-    return {level: shape.value, lines: lines.filter((line) => line.length > 1)};
-  });
+/// What a plan shows: the rocks with the barriers, or the whole terrain.
+export type Extent = 'rocks' | 'terrain';
+
+export interface Plan {
+  /// The runs in 3D, of which there is at least one.
+  spatial: readonly Run[];
+  first: Run;
+  /// Of the first run that has one, with its picture.
+  relief: { heights: Relief; picture: string } | null;
+  views: Record<Extent, View>;
+  /// What the plan shows first, and whether there is another extent to see.
+  opens: Extent;
+  canZoom: boolean;
+  /// Contours by the extent that a frame shows; kept, because they take a while.
+  contours: Map<string, Contours>;
 }
 
-// The relief's heights within a rectangle, or all of them if it contains no grid point.
-function heightsWithin(relief, {x: [x0, x1], y: [y0, y1]}) {
-  const inside = relief.z_m.filter((z, k) => {
-    const x = relief.x0 + (k % relief.columns) * relief.cell_m, y = relief.y0 + Math.floor(k / relief.columns) * relief.cell_m;
-    return isNumber(z) && x >= x0 && x <= x1 && y >= y0 && y <= y1;
-  });
-  return inside.length ? inside : relief.z_m.filter(isNumber);
-}
-
-export function contoursWithin(relief, view) {
-  const [low, high] = d3.extent(heightsWithin(relief, view));
-  const {per} = displayOf('m');
-  const levels = high > low ? d3.ticks(low / per, high / per, 25).map((level) => level * per) : [];
-  const interval = levels.length > 1 ? levels[1] - levels[0] : 0;
-  return {interval, lines: interval ? contourLines(relief, levels) : []};
-}
-
-// The two extents of the plan: rocks with barriers, and the whole terrain.
-function planViews(spatial, relief) {
-  const xs = [], ys = [];
-  for (const run of spatial) {
-    run.rocks.forEach((rock) => rock.rows.forEach((row) => { xs.push(row.x); ys.push(row.y); }));
-    run.endpoints.forEach((e) => { xs.push(e.x); ys.push(e.y); });
-    barriersOf(run).forEach((barrier) => barrierLine(barrier).forEach(([x, y]) => { xs.push(x); ys.push(y); }));
-  }
-  const view = (margin) => ({x: extentOf(xs, margin), y: extentOf(ys, margin)});
-  const rocks = xs.length ? view(0.15) : null;
-  for (const run of spatial) {
-    if (Array.isArray(run.terrain.bounds)) run.terrain.bounds.forEach(([x, y]) => { xs.push(x); ys.push(y); });
-  }
-  if (relief) {
-    xs.push(relief.x0, relief.x0 + (relief.columns - 1) * relief.cell_m);
-    ys.push(relief.y0, relief.y0 + (relief.rows - 1) * relief.cell_m);
-  }
-  return xs.length ? {rocks, terrain: view(0.01)} : null;
-}
+const pointOf = ({ x, y }: { x: number; y: number }): Point => [x, y];
+const shownPoints = (run: Run): Point[] => [
+  ...run.rocks.flatMap(({ rows }) => rows.map(pointOf)),
+  ...run.endpoints.map(pointOf),
+  ...barriersOf(run).flatMap(barrierLine),
+];
+const cornersOf = ({ x0, y0, cell_m, columns, rows }: Relief): Point[] => [
+  [x0, y0],
+  [x0 + (columns - 1) * cell_m, y0 + (rows - 1) * cell_m],
+];
 
 // Whether the rocks cover so little of the terrain that the plan opens zoomed in on them.
-function coversLittle({rocks, terrain}) {
+function coversLittle(rocks: View, terrain: View): boolean {
   const room = mapRoom(drawing.wide);
-  return rocks !== null && metresPerUnit(room, terrain) > 1.6 * metresPerUnit(room, rocks);
+  return metresPerUnit(room, terrain) > 1.6 * metresPerUnit(room, rocks);
 }
 
-// What a plan shows; null if there is no run in 3D to draw.
-export const plan = (() => {
-  const spatial = runs.filter((run) => !run.isSection);
-  const reliefRun = spatial.find((run) => run.terrain.relief);
-  const relief = reliefRun && reliefRun.terrain.relief;
-  const views = spatial.length ? planViews(spatial, relief) : null;
-  return views && {spatial, relief, views, canZoom: coversLittle(views), picture: relief ? hillshade(relief) : null, contours: new Map()};
+/// Null if there is no run in 3D to draw.
+export const plan = ((): Plan | null => {
+  const spatial = runs.filter(({ isSection }) => !isSection);
+  const [first] = spatial;
+  const heights = spatial.find(({ terrain }) => terrain.relief)?.terrain.relief ?? null;
+  const ofRocks = spatial.flatMap(shownPoints);
+  const ofTerrain = spatial.flatMap(({ terrain }) => terrain.bounds ?? []).map(([x, y]): Point => [x, y]);
+  const all = [...ofRocks, ...ofTerrain, ...(heights ? cornersOf(heights) : [])];
+  if (!first || all.length === 0) return null;
+  const views = { rocks: viewOf(ofRocks, 0.15), terrain: viewOf(all, 0.01) };
+  const canZoom = ofRocks.length > 0 && coversLittle(views.rocks, views.terrain);
+  const relief = heights && { heights, picture: hillshade(heights) };
+  return { spatial, first, relief, views, opens: canZoom ? 'rocks' : 'terrain', canZoom, contours: new Map() };
 })();
 
-// Contours within the extent that a frame shows; kept, because they take a while.
-function contoursOf(shown) {
-  const key = JSON.stringify([shown, unitSystem]);
-  if (!plan.contours.has(key)) plan.contours.set(key, plan.relief ? contoursWithin(plan.relief, shown) : {interval: 0, lines: []});
-  return plan.contours.get(key);
+function contoursOf({ relief, contours }: Plan, shown: View): Contours {
+  const key = JSON.stringify([shown, displayOf('m')]);
+  const made = contours.get(key) ?? (relief ? contoursWithin(relief.heights, shown) : { interval: 0, lines: [] });
+  contours.set(key, made);
+  return made;
 }
 
 // The names keep clear of the boxes in `taken`, to which theirs are added.
-function drawContours(inside, {interval, lines: contourSets}, {toX, toY, shown: {x: [x0, x1], y: [y0, y1]}}, taken) {
-  const line = d3.line().x((p) => toX(p[0])).y((p) => toY(p[1]));
-  const named = [];  // positions of contour labels, kept apart from each other
-  const isShown = ([x, y]) => x > x0 && x < x1 && y > y0 && y < y1;
-  for (const {level, lines} of contourSets) {
-    const main = Math.round(level / interval) % 5 === 0;
-    tip(inside.append('path').attr('class', main ? 'contour main' : 'contour').attr('d', lines.map(line).join('')), () => `z = ${givenLength(level)}`);
-    const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => b.length > a.length ? b : a, []);
-    if (!main || longest.length < 8) continue;
+function drawContours(inside: Group, { interval, lines: contours }: Contours, frame: MapFrame, taken: Box[]) {
+  const { toX, toY, shown } = frame;
+  const line = d3.line<Point>().x(([x]) => toX(x)).y(([, y]) => toY(y));
+  const named: Point[] = []; // places of names, kept apart from each other
+  const isShown = ([x, y]: Point) => x > shown.x[0] && x < shown.x[1] && y > shown.y[0] && y < shown.y[1];
+  for (const { level, lines } of contours) {
+    const isMain = Math.round(level / interval) % 5 === 0;
+    const path = inside.append('path').attr('class', isMain ? 'contour main' : 'contour');
+    path.attr('d', lines.map((each) => line(each)).join(''));
+    const text = givenLength(level);
+    tip(path, () => `z = ${text}`);
+    const longest = lines.map((each) => each.filter(isShown)).reduce((a, b) => (b.length > a.length ? b : a), []);
     const place = longest[Math.floor(longest.length * 0.12)];
-    const text = givenLength(level), at = [toX(place[0]), toY(place[1])];
-    const box = boxOfText(text, 'middle', at[0], at[1] + 4);
-    if (!isFree(box, taken) || named.some((other) => Math.hypot(other[0] - at[0], other[1] - at[1]) < 46)) continue;
-    named.push(at);
+    if (!isMain || longest.length < 8 || !place) continue;
+    const [x, y] = [toX(place[0]), toY(place[1]) + 4];
+    const box = boxOfText(text, 'middle', x, y);
+    if (!isFree(box, taken) || named.some((other) => Math.hypot(other[0] - x, other[1] - y) < 46)) continue;
+    named.push([x, y]);
     taken.push(box);
-    inside.append('text').attr('class', 'contour-name halo').attr('x', at[0]).attr('y', at[1] + 4).attr('text-anchor', 'middle').text(text);
+    const name = inside.append('text').attr('class', 'contour-name halo').attr('text-anchor', 'middle').text(text);
+    name.attr('x', x).attr('y', y);
   }
 }
 
-const planFrame = (room, extent) => mapFrame(room, plan.views[extent], groundOf(plan.spatial, plan.views[extent]));
+const planFrame = (of: Plan, room: MapRoom, extent: Extent) => mapFrame(room, of.views[extent], groundOf(of.spatial, of.views[extent]));
 
-// Draws one of the extents of the plan. Returns the y of its end.
-export function drawPlan(svg, room, extent, id) {
-  const frame = planFrame(room, extent);
-  const {side, toX, toY} = frame;
-  const contours = contoursOf(frame.shown);
+/// Draws one of the extents of the plan. Returns the y of its end.
+export function drawPlan(svg: Group, of: Plan, room: MapRoom, extent: Extent, id: string): number {
+  const frame = planFrame(of, room, extent);
+  const { side, toX, toY } = frame;
+  const contours = contoursOf(of, frame.shown);
   const inside = openMap(svg, id, frame);
   const taken = fixedBoxes(frame);
-  if (plan.relief) {
-    layRelief(inside, frame, plan.relief, plan.picture);
+  if (of.relief) {
+    layRelief(inside, frame, of.relief.heights, of.relief.picture);
     drawContours(inside, contours, frame, taken);
   }
-  const flat = (rock) => 'M' + rock.rows.map((row) => `${toX(row.x).toFixed(2)},${toY(row.y).toFixed(2)}`).join('L');
-  drawRocks(inside, flat, toX, toY, (e) => e.x, (e) => e.y);
-  finishMap(inside, frame, plan.spatial[0], plan.spatial.flatMap(barriersOf), taken);
-  const signs = [
-    ...runs.map((run) => ({text: single ? 'trajectory' : run.label, draw: sign.line('path', run.colour)})),
-    {text: 'selected rock', draw: sign.line('path chosen', 'var(--chosen)')},
-    {text: 'release', draw: sign.circle('release', '')},
-    ...(single ? endSigns(runs[0]) : []),
-    ...(contours.interval ? [{text: 'contour', draw: sign.line('contour main')}] : []),
-  ];
+  const pathOf = ({ rows }: { rows: readonly { x: number; y: number }[] }) =>
+    `M${rows.map(({ x, y }) => `${toX(x).toFixed(2)},${toY(y).toFixed(2)}`).join('L')}`;
+  drawRocks(inside, pathOf, ({ x, y }) => [toX(x), toY(y)]);
+  finishMap(inside, frame, of.first, of.spatial.flatMap(barriersOf), taken);
+  const signs = [...rockSigns(), ...(contours.interval > 0 ? [{ text: 'contour', draw: sign.line('contour main') }] : [])];
   const y = side.bottom + 58;
-  return noteMap(svg, room, frame, plan.spatial[0], [], y, legend(svg, signs, side.left, y, room.isBeside ? 0.6 * room.width : room.width));
+  const lowest = legend(svg, signs, side.left, y, room.isBeside ? 0.6 * room.width : room.width);
+  return noteMap(svg, room, frame, { run: of.first, y, lowest });
 }
 
-export function planCaption(room, extent) {
-  const {interval} = contoursOf(planFrame(room, extent).shown);
-  return shownText() + (plan.relief ? `Contours every ${givenLength(interval)}; relief lit from the upper left.` : 'The summary has no relief to draw.') +
-    (plan.spatial.length < runs.length ? ` ${runs.find((run) => run.isSection).label} is two-dimensional and drawn at y = 0.` : '');
+export function planCaption(of: Plan, room: MapRoom, extent: Extent): string {
+  const { interval } = contoursOf(of, planFrame(of, room, extent).shown);
+  const relief = of.relief
+    ? `Contours every ${givenLength(interval)}; relief lit from the upper left.`
+    : 'The summary has no relief to draw.';
+  const flat = runs.find(({ isSection }) => isSection);
+  return `${shownText()}${relief}${flat ? ` ${flat.label} is two-dimensional and drawn at y = 0.` : ''}`;
 }
 
-// Returns the figure's width; null if there is no run in 3D to draw.
-export function planFigure(parent) {
-  if (!plan) return null;
-  let shown = plan.canZoom ? 'rocks' : 'terrain';
-  const width = mapWidth(plan.views[shown]), room = mapRoom(width);
+/// Returns the figure's width; null if there is no run in 3D to draw.
+export function planFigure(parent: Group): number | null {
+  const of = plan;
+  if (!of) return null;
+  let shown = of.opens;
+  const width = mapWidth(of.views[shown]);
+  const room = mapRoom(width);
   const made = figure(parent, {
     title: 'Plan with trajectories',
     label: 'Plan of the terrain with contours, trajectories and end points',
-    caption: planCaption(room, shown),
+    caption: planCaption(of, room, shown),
     width,
     rows: shownRows,
-    draw: (svg) => drawPlan(svg, room, shown, 'plan-frame'),
+    draw: (svg) => drawPlan(svg, of, room, shown, 'plan-frame'),
   });
   choice.listeners.push(made.redraw);
-  if (!plan.canZoom) return width;
-  const other = () => shown === 'rocks' ? 'Show the whole terrain' : 'Show the rocks';
-  const zoom = element(made.head.insert('span', '.save').attr('class', 'zoom'), 'button', other(), {type: 'button'});
+  if (!of.canZoom) return width;
+  const other = () => (shown === 'rocks' ? 'Show the whole terrain' : 'Show the rocks');
+  const zoom = element(made.head.insert('span', '.save').attr('class', 'zoom'), 'button', other(), { type: 'button' });
   zoom.on('click', () => {
     shown = shown === 'rocks' ? 'terrain' : 'rocks';
     zoom.text(other());
-    made.caption.text(planCaption(room, shown));
+    made.caption.text(planCaption(of, room, shown));
     made.redraw();
   });
   return width;
