@@ -1,20 +1,11 @@
 // Paths of rocks as seen from the side, over the ground: the same view for several rock models.
 
 import { line } from 'd3-shape';
+import type { SidePlace, SideView } from '../archive/modelComparison';
 import { openDrawing, openPlot, sign, type Range, type Room } from './plot';
 
 /// Beside the colours, for print in grey.
 const dashes: Record<string, string> = { rigid_sphere: '8 3', rigid_body: '2 3' };
-
-/// Horizontal distance and elevation [m].
-type Place = readonly [number, number];
-
-export interface SideView {
-  is_section: boolean;
-  /// Null: no ground up to the next place.
-  ground: readonly (Place | null)[];
-  sets: readonly { model: string; paths: readonly (readonly Place[])[]; runout_m: readonly number[] }[];
-}
 
 /// Colours of the models, which also those tell apart who do not see red and green.
 export const modelColours: Record<string, string> = {
@@ -75,7 +66,7 @@ export function sideView(element: SVGSVGElement, room: Room, { of, which, unit, 
       { text: of.is_section ? 'Ground' : 'Ground along that way', draw: sign.line('model-ground') },
     ],
   });
-  const drawn = line<Place | null>()
+  const drawn = line<SidePlace | null>()
     .defined((place) => place !== null)
     .x((place) => x(place![0] / per))
     .y((place) => y(place![1] / per));

@@ -1,94 +1,161 @@
 // The page of a sensitivity study: for each result, which input causes how much of it.
 
-import * as d3 from '../figures/d3';
-import * as figures from '../figures/report';
-import { drawing, element, figure, unitChoice, unitNote } from './figure';
+import type { ElementaryEffect, SensitivityInput, SensitivityResult, SensitivitySummary, SobolIndices } from '../archive/sensitivity';
+import type { IntervalOf } from '../archive/summary';
+import type { Group } from '../figures/plot';
+import { tornado, type TornadoBar } from '../figures/tornado';
+import { embedded } from './data';
+import { drawing, element, figure, nameFigures } from './figure';
 import { count, displayOf, isNumber, measured, number } from './format';
-import { fitTablesToPaper } from './paper';
-import { page } from './study';
-import { table } from './tables';
+import { section, showStudy } from './studyPage';
+import { table, type BodyCell } from './tables';
 
+const page = embedded<SensitivitySummary>();
 const isMorris = page.method === 'morris';
-const noise = page.inputs.length - 1;  // the seed, the last input
-const sizeOf = (effect) => (isMorris ? effect.effect : effect.total) || null;
-const shownIn = (result) => displayOf(result.unit);
-const nameOf = (input) => input === page.inputs[noise] ? 'which rocks are drawn (seed)' : input.name;
+const noise = page.inputs.at(-1); // the seed
 
-// Inputs by the size of their effect, the largest first.
-const ranked = (result) => result.inputs.map((effect, k) => ({effect, k, input: page.inputs[k], size: sizeOf(effect)}))
-  .filter(({size}) => size).sort((a, b) => b.size[0] - a.size[0]);
+const texts = isMorris
+  ? {
+      method: 'Morris screening',
+      axis: 'Effect',
+      caption:
+        'Bars: mean magnitude of the change of the result over the whole range of an input (μ*), with its confidence ' +
+        'interval. Diamonds: mean with sign (μ); to the left, more of the input gives less of the result. Grey: the ' +
+        'noise of a finite number of rocks.',
+      note:
+        'A spread σ as large as μ* shows an effect that depends on the input itself or on other inputs. The order of ' +
+        'effects counts, not their digits.',
+    }
+  : {
+      method: 'Sobol indices',
+      axis: 'Share of the variance',
+      caption:
+        'Bars: share of the variance that the input causes alone (first-order index, filled) and with others (total ' +
+        'index, outline), with the confidence interval of the total. Grey: the noise of a finite number of rocks.',
+      note:
+        'The first-order index is the share of the variance that would vanish if the input were known; the total ' +
+        'index is the share that would remain if all others were. Their difference is the part of interactions. ' +
+        'First-order indices that add up to 1 mean that inputs act one by one.',
+    };
 
-function tornadoFigure(parent, result) {
-  const rows = ranked(result);
-  const {unit, per} = isMorris ? shownIn(result) : {unit: '', per: 1};
-  const bars = rows.map(({effect, k, input, size}) => ({
-    name: nameOf(input), quiet: k === noise, value: size[0] / per, low: isNumber(size[1]) ? size[1] / per : null, high: isNumber(size[2]) ? size[2] / per : null,
-    inner: isMorris ? null : effect.first[0], mark: isMorris ? effect.mean_effect / per : null,
-  }));
+/// What one input does to a result.
+interface InputEffect {
+  input: SensitivityInput;
+  effect: ElementaryEffect | SobolIndices;
+  size: IntervalOf<number>;
+}
+
+// Those with an effect, the largest first.
+function ranked({ inputs }: SensitivityResult): InputEffect[] {
+  const found = page.inputs.flatMap((input, k): InputEffect[] => {
+    const effect = inputs[k];
+    if (!effect) return [];
+    if ('effect' in effect && effect.effect) return [{ input, effect, size: effect.effect }];
+    return 'total' in effect && effect.total ? [{ input, effect, size: effect.total }] : [];
+  });
+  return found.sort((a, b) => b.size[0] - a.size[0]);
+}
+
+const nameOf = (input: SensitivityInput) => (input === noise ? 'which rocks are drawn (seed)' : input.name);
+// Of sizes: an effect has the unit of the result, an index has none.
+const shownSize = ({ unit }: SensitivityResult) => (isMorris ? displayOf(unit) : { unit: '', per: 1 });
+// The second value: the mean of an effect with its sign, or the index of first order.
+const secondOf = (effect: InputEffect['effect']) => ('effect' in effect ? effect.mean_effect : effect.first[0]);
+
+function barOf({ input, effect, size: [value, low, high] }: InputEffect, per: number): TornadoBar {
+  const second = secondOf(effect) / per;
+  return {
+    name: nameOf(input),
+    quiet: input === noise,
+    value: value / per,
+    low: isNumber(low) ? low / per : null,
+    high: isNumber(high) ? high / per : null,
+    inner: isMorris ? null : second,
+    mark: isMorris ? second : null,
+  };
+}
+
+function tornadoFigure(parent: Group, result: SensitivityResult) {
+  const effects = ranked(result);
+  const { unit, per } = shownSize(result);
+  const bars = effects.map((each) => barOf(each, per));
   figure(parent, {
-    title: result.title, width: drawing.wide, tall: 74 + 30 * bars.length,
+    title: result.title,
+    width: drawing.wide,
+    tall: 74 + 30 * bars.length,
     label: `Effects of ${bars.length} inputs on ${result.title}`,
-    caption: isMorris ? 'Bars: mean magnitude of the change of the result over the whole range of an input (μ*), with its confidence interval. Diamonds: mean with sign (μ); to the left, more of the input gives less of the result. Grey: the noise of a finite number of rocks.'
-      : 'Bars: share of the variance that the input causes alone (first-order index, filled) and with others (total index, outline), with the confidence interval of the total. Grey: the noise of a finite number of rocks.',
-    fill: (node, room) => figures.tornado(node, room, {title: isMorris ? 'Effect' : 'Share of the variance', unit, per: 1, bars}),
-    rows: () => [['input', 'size', 'low', 'high', isMorris ? 'mean_effect' : 'first'], ...rows.map(({effect, input, size}) => [input.name, ...size, isMorris ? effect.mean_effect : effect.first[0]])],
+    caption: texts.caption,
+    fill: (node, room) => tornado(node, room, { title: texts.axis, unit, per: 1, bars }),
+    rows: () => [
+      ['input', 'size', 'low', 'high', isMorris ? 'mean_effect' : 'first'],
+      ...effects.map(({ input, effect, size }) => [input.name, ...size, secondOf(effect)]),
+    ],
   });
 }
 
-function effectsTable(parent, result) {
-  const {unit, per} = isMorris ? shownIn(result) : {unit: '', per: 1};
-  const cell = ([value, low, high]) => ({text: measured(value / per, 3), below: isNumber(low) && isNumber(high) ? `${measured(low / per, 3)} to ${measured(high / per, 3)}` : undefined});
+function effectsTable(parent: Group, result: SensitivityResult) {
+  const { unit, per } = shownSize(result);
+  const text = (value: number) => measured(value / per, 3);
+  const cell = ([value, low, high]: IntervalOf<number>): BodyCell => ({
+    text: text(value),
+    below: isNumber(low) && isNumber(high) ? `${text(low)} to ${text(high)}` : null,
+  });
+  const cells = (effect: InputEffect['effect']) =>
+    'effect' in effect
+      ? [cell(effect.effect), text(effect.mean_effect), text(effect.spread)]
+      : [cell(effect.total), cell(effect.first)];
+  const heads = isMorris
+    ? ['Effect μ*', 'Mean μ', 'Spread σ'].map((head) => ({ text: head, unit }))
+    : ['Total index', 'First-order index'];
   table(parent, {
     caption: `Effects on ${result.title}; below each the ${number(100 * page.confidence)} % confidence interval`,
-    head: [['Input', 'Values', ...(isMorris ? [{text: 'Effect μ*', unit}, {text: 'Mean μ', unit}, {text: 'Spread σ', unit}] : ['Total index', 'First-order index'])]],
-    rows: ranked(result).map(({effect, input}) => [nameOf(input), `${input.values}${input.unit ? ` ${input.unit}` : ''}`,
-      ...(isMorris ? [cell(effect.effect), measured(effect.mean_effect / per, 3), measured(effect.spread / per, 3)] : [cell(effect.total), cell(effect.first)])]),
+    head: [['Input', 'Values', ...heads]],
+    rows: ranked(result).map(({ effect, input }) => [
+      nameOf(input),
+      `${input.values}${input.unit ? ` ${input.unit}` : ''}`,
+      ...cells(effect),
+    ]),
     numeric: (column) => column > 1,
   });
 }
 
-function resultText(result) {
-  const {unit, per} = shownIn(result), text = (value) => isNumber(value) ? measured(value / per, 4) : '–';
-  if (!result.runs) return 'No run has a value.';
-  return `Over ${count(result.runs, 'run')}: mean ${text(result.mean)}, from ${text(result.least)} to ${text(result.most)}${unit ? ` ${unit}` : ''}.`;
+function resultText({ unit: unitOfData, runs, mean, least, most }: SensitivityResult): string {
+  if (runs === 0) return 'No run has a value.';
+  const { unit, per } = displayOf(unitOfData);
+  const text = (value: number | null) => measured(value === null ? null : value / per, 4);
+  return `Over ${count(runs, 'run')}: mean ${text(mean)}, from ${text(least)} to ${text(most)}${unit ? ` ${unit}` : ''}.`;
 }
 
-// Draws the page, or draws it again in other units.
-function show() {
-  for (const part of ['#head', '#contents', '#main', '#foot']) d3.select(part).selectAll('*').remove();
-  const head = d3.select('#head');
-  unitChoice(head, show);
-  element(head, 'p', 'Sensitivity of a rockfall analysis', {class: 'kind'});
-  element(head, 'h1', page.name);
-  const facts = element(head, 'p', null, {class: 'facts'});
-  const method = isMorris ? 'Morris screening' : 'Sobol indices';
-  [[page.sites.length > 1 ? 'Sites ' : 'Project ', page.sites.map((site) => page.sites.length > 1 ? `${site.name} (${site.project})` : site.project).join(', ')], ['Method ', method], ['Runs ', number(page.runs)], ['Rocks each ', number(page.rocks)], ['Seed ', String(page.seed)], ['Talus ', page.talus.version]]
-    .forEach(([label, value], i) => {
-      facts.append('span').text((i ? '  ·  ' : '') + label);
-      element(facts, 'b', value);
-    });
-  unitNote(head, 'Values of inputs');
-  const main = d3.select('#main');
-  if (page.warnings.length) {
-    const box = element(main, 'section', null, {class: 'warnings', 'aria-label': 'Warnings'});
-    element(box, 'h2', 'Warnings');
-    const list = element(box, 'ul');
-    for (const warning of page.warnings) element(list, 'li', warning);
-  }
-  page.results.forEach((result, k) => {
-    const node = element(main, 'section', null, {id: `result-${k}`, 'aria-label': result.title});
-    element(node, 'h2', result.title.charAt(0).toUpperCase() + result.title.slice(1));
-    element(node, 'p', resultText(result));
-    if (ranked(result).length) {
-      tornadoFigure(node, result);
-      effectsTable(node, result);
-    }
-    element(d3.select('#contents'), 'a', result.title, {href: `#result-${k}`});
-  });
-  element(main, 'p', isMorris ? 'A spread σ as large as μ* shows an effect that depends on the input itself or on other inputs. The order of effects counts, not their digits.'
-    : 'The first-order index is the share of the variance that would vanish if the input were known; the total index is the share that would remain if all others were. Their difference is the part of interactions. First-order indices that add up to 1 mean that inputs act one by one.', {class: 'quiet'});
-  fitTablesToPaper();
-  element(d3.select('#foot'), 'p', `Generated by Talus ${page.talus.version}. This page needs no network. Drawn with D3 (d3js.org), copyright Mike Bostock.`);
+function showResult(node: Group, result: SensitivityResult) {
+  element(node, 'p', resultText(result));
+  if (ranked(result).length === 0) return;
+  tornadoFigure(node, result);
+  effectsTable(node, result);
 }
 
-show();
+const isAtSeveral = page.sites.length > 1;
+const siteTexts = page.sites.map(({ name, project }) => (isAtSeveral ? `${name} (${project})` : project));
+const capitalized = (text: string) => text.charAt(0).toUpperCase() + text.slice(1);
+
+nameFigures(page.name);
+showStudy({
+  kind: 'Sensitivity of a rockfall analysis',
+  title: page.name,
+  facts: [
+    [isAtSeveral ? 'Sites ' : 'Project ', siteTexts.join(', ')],
+    ['Method ', texts.method],
+    ['Runs ', number(page.runs)],
+    ['Rocks each ', number(page.rocks)],
+    ['Seed ', String(page.seed)],
+    ['Talus ', page.talus.version],
+  ],
+  version: page.talus.version,
+  warnings: page.warnings,
+  metric: 'Values of inputs',
+  show: (main) => {
+    page.results.forEach((result, k) =>
+      section(main, capitalized(result.title), `result-${k}`, (node) => showResult(node, result)),
+    );
+    element(main, 'p', texts.note, { class: 'quiet' });
+  },
+});
