@@ -56,8 +56,8 @@ function(talus_bundle_report folder)
   else()
     set(esbuild ${CMAKE_COMMAND} -E env NODE_PATH=${D3_MODULES} ${ESBUILD})
   endif()
-  file(GLOB sources CONFIGURE_DEPENDS ${web}/src/report/*.ts ${web}/src/figures/*.ts ${web}/src/generated/*.ts
-    ${web}/src/geometry/*.ts ${web}/src/settings/conditions.ts ${web}/src/units/*.ts)
+  file(GLOB sources CONFIGURE_DEPENDS ${web}/src/report/*.ts ${web}/src/archive/*.ts ${web}/src/figures/*.ts
+    ${web}/src/generated/*.ts ${web}/src/geometry/*.ts ${web}/src/settings/conditions.ts ${web}/src/units/*.ts)
   list(TRANSFORM TALUS_REPORT_PAGES REPLACE "(.+)" "${web}/src/report/\\1.ts" OUTPUT_VARIABLE entries)
   list(TRANSFORM TALUS_REPORT_PAGES REPLACE "(.+)" "${folder}/\\1.js" OUTPUT_VARIABLE bundles)
   add_custom_command(

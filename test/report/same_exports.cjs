@@ -1,11 +1,10 @@
-// Whether two bundles of the report's figures offer the same names, and their scales the same ticks.
+// Whether two bundles of the report's parts of D3 offer the same names, and their scales the same ticks.
 const { readFileSync } = require('node:fs');
 const { runInNewContext } = require('node:vm');
 
 function offeredBy(file) {
-  const figures = runInNewContext(`${readFileSync(file, 'utf8')};figures`, {});
-  const { d3 } = figures;
-  const names = [...Object.keys(figures), ...Object.keys(d3).map((name) => `d3.${name}`)].sort();
+  const d3 = runInNewContext(`${readFileSync(file, 'utf8')};d3`, {});
+  const names = Object.keys(d3).sort();
   const ticks = [[0, 1], [-3, 2667000], [0.0012, 0.0019]].map((range) => d3.scaleLinear().domain(range).ticks(7));
   const cells = [0, 0, 0, 0, 0, 9, 9, 0, 0, 9, 9, 0, 0, 0, 0, 0];
   const lines = d3.contours().size([4, 4]).thresholds([3])(cells).map(({ value }) => value);

@@ -1,5 +1,5 @@
-# Bundles the report's pages as a build without npm does, with Debian's esbuild and D3, and compares what the figures in
-# them offer with those of npm: cmake -DWEB=... -DESBUILD=... -DD3_MODULES=... -DFOLDER=... -P without_npm.cmake
+# Bundles the report's pages as a build without npm does, with Debian's esbuild and D3, and compares what D3 offers in
+# them with that of npm: cmake -DWEB=... -DESBUILD=... -DD3_MODULES=... -DFOLDER=... -P without_npm.cmake
 file(REMOVE_RECURSE "${FOLDER}")
 foreach(part archive figures generated geometry report settings units)
   file(COPY "${WEB}/src/${part}" DESTINATION "${FOLDER}")  # away from node_modules
@@ -8,9 +8,9 @@ set(without_npm "${CMAKE_COMMAND};-E;env;NODE_PATH=${D3_MODULES};${ESBUILD}")
 set(options "--bundle;--format=iife;--minify;--target=es2020;--log-level=warning")
 foreach(command
     "${without_npm};${FOLDER}/report/report.ts;${FOLDER}/report/sensitivity.ts;${FOLDER}/report/models.ts;${options};--outdir=${FOLDER}"
-    "${without_npm};${FOLDER}/figures/report.ts;${options};--global-name=figures;--outfile=${FOLDER}/figures.js"
-    "${WEB}/node_modules/.bin/esbuild;${WEB}/src/figures/report.ts;${options};--global-name=figures;--outfile=${FOLDER}/npm.js"
-    "node;${CMAKE_CURRENT_LIST_DIR}/same_exports.cjs;${FOLDER}/figures.js;${FOLDER}/npm.js")
+    "${without_npm};${FOLDER}/figures/d3.ts;${options};--global-name=d3;--outfile=${FOLDER}/d3.js"
+    "${WEB}/node_modules/.bin/esbuild;${WEB}/src/figures/d3.ts;${options};--global-name=d3;--outfile=${FOLDER}/npm.js"
+    "node;${CMAKE_CURRENT_LIST_DIR}/same_exports.cjs;${FOLDER}/d3.js;${FOLDER}/npm.js")
   execute_process(COMMAND ${command} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
     message(FATAL_ERROR "the report's pages of a build without npm are not those of one with it")
