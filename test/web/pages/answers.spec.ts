@@ -109,3 +109,23 @@ test('ensembles of the run give the range over inputs', async ({ workbench: page
   await answers(page).getByRole('button', { name: 'A4 sheet' }).click();
   await expect(page.locator('.answer-sheet article').first()).toContainText('Inputs: the range of 90 % of the 10 ensembles of this run');
 });
+
+test('a sheet that is asked for early waits for the ranges, or says that they were not there yet', async ({ workbench: page }) => {
+  await page.addInitScript(() => (window.print = () => undefined));
+  await page.reload();
+  await openExample(page, 'Tutorial 1, in 3D');
+  const sheet = page.locator('.answer-sheet');
+  const waits = page.getByRole('status', { name: 'The sheet waits' });
+  await answers(page).getByRole('button', { name: 'A4 sheet' }).click();
+  await expect(waits).toContainText('The sheet is printed with the ranges over inputs and models');
+  await waits.getByRole('button', { name: 'Print now, without' }).click();
+  await expect(sheet.locator('article').first()).toContainText('Inputs and rock models were still being computed when this sheet was printed');
+  await expect(sheet).not.toContainText('not varied');
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+  // Once more, as soon as the page is there again: it is printed by itself.
+  await answers(page).getByRole('button', { name: 'A4 sheet' }).click();
+  await expect(sheet.locator('.answer-card.share tr.models td').first()).toHaveText(/ to .* %/, { timeout: 30_000 });
+  await expect(sheet).not.toContainText('being computed');
+  await expect(waits).toBeHidden();
+  await page.evaluate(() => dispatchEvent(new Event('afterprint')));
+});

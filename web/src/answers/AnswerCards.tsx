@@ -1,32 +1,25 @@
 // The answers of the shown run, above the view: what passes the chosen place, and how far to trust it.
 
-import type { WhatIfState } from '../api/whatIf';
-import { refusal, stop } from '../askLine/whatIf';
+import { stop } from '../askLine/whatIf';
 import { shown } from '../runs/runs';
-import { varies } from '../state/varies';
 import { Banner } from './Banner';
 import { cardsOf } from './cards';
 import { doubts } from './doubtsNow';
-import { job, vary } from './job';
+import { ranges, vary } from './job';
 import { lineAnswer } from './lineAnswer';
 import { NoPlace } from './NoPlace';
 import { OneCard } from './OneCard';
 import { place, summary } from './place';
 import { PlaceChoice } from './PlaceChoice';
-import { printAnswer } from './printAnswer';
+import { missingText, type Ranges } from './ranges';
+import { SheetWaits } from './SheetWaits';
+import { wantSheet } from './sheetWaits';
 import { areOpen, openCards } from './shownCards';
 import { placeName } from './whichPlace';
 import './placeOverlay';
 import './answers.css';
 
-/// What a row says while the job has no answer for it.
-function waitingText(of: WhatIfState | null): string {
-  if (!of) return refusal.value !== null ? 'not possible' : varies.value ? 'follows' : 'not varied';
-  if (of.state === 'running') return 'computing…';
-  return of.state === 'stopped' ? 'stopped' : 'unknown';
-}
-
-function JobBar({ of }: { of: WhatIfState | null }) {
+function JobBar({ state, job: of }: Ranges) {
   if (of?.state === 'running') {
     const left = of.seconds_left === null ? '' : `, ${Math.ceil(of.seconds_left)} s left`;
     return (
@@ -40,7 +33,7 @@ function JobBar({ of }: { of: WhatIfState | null }) {
     );
   }
   const isWhole = of?.state === 'done' && of.answer?.variations.some(({ model }) => model !== undefined);
-  if (isWhole || !place.value || (varies.value && !of)) return null;
+  if (isWhole || state === 'ahead') return null;
   return (
     <button class="button" onClick={vary} title="Runs the same rocks with each input a step lower and higher, and with the other rock models, in the background">
       Vary inputs and models
@@ -50,8 +43,8 @@ function JobBar({ of }: { of: WhatIfState | null }) {
 
 export function AnswerCards() {
   const run = shown.value!;
-  const [now, found, state] = [place.value, lineAnswer.value, job.value];
-  const whatIf = state?.answer ?? null;
+  const [now, found, range] = [place.value, lineAnswer.value, ranges.value];
+  const whatIf = range?.job?.answer ?? null;
   const isOpen = areOpen.value;
   const isWaiting = now ? found.value === null && found.error === null : summary.value === null;
   const cards = found.value && now && cardsOf(found.value, whatIf, placeName(now, run.dimension));
@@ -61,9 +54,9 @@ export function AnswerCards() {
         <h2>{run.name}</h2>
         <PlaceChoice />
         <span class="space" />
-        <JobBar of={state} />
+        {range && <JobBar {...range} />}
         {found.value && (
-          <button class="button" title="Prints these answers, the view and all inputs, on two pages at most" onClick={() => void printAnswer()}>
+          <button class="button" title="Prints these answers, the view and all inputs, on two pages at most" onClick={wantSheet}>
             A4 sheet
           </button>
         )}
@@ -71,6 +64,7 @@ export function AnswerCards() {
           {isOpen ? '▴' : '▾'}
         </button>
       </header>
+      <SheetWaits />
       {isOpen && (
         <>
           {found.error !== null && <p class="problem">{found.error}</p>}
@@ -85,7 +79,7 @@ export function AnswerCards() {
           {cards && (
             <div class="answer-cards">
               {cards.map((card) => (
-                <OneCard key={card.key} of={card} waiting={waitingText(state)} isPart={state?.state === 'running'} />
+                <OneCard key={card.key} of={card} missing={missingText[range?.state ?? 'off']} isPart={range?.state === 'running'} />
               ))}
             </div>
           )}

@@ -4,7 +4,6 @@
 import type { AskedAnswer } from '../api/line';
 import type { Summary } from '../api/results';
 import type { Point2 } from '../api/types';
-import type { WhatIfState } from '../api/whatIf';
 import { pointsOf } from '../askLine/askTools';
 import type { Asked } from '../askLine/shape';
 import { percentText } from '../askLine/kit';
@@ -23,6 +22,7 @@ import { placeName } from './whichPlace';
 import { firstOf } from './firstOf';
 import { PrintedInputs } from './PrintedInputs';
 import { PrintedMoves } from './PrintedMoves';
+import { arePending, missingOnPaper, printedText, type Ranges } from './ranges';
 
 const [mostCorners, mostDoubts, mostPlaces] = [6, 6, 5];
 
@@ -89,15 +89,18 @@ function Signatures() {
 }
 
 /// What stands below the cards: how far each row of theirs goes.
-function rowsText(of: AskedAnswer, whatIf: WhatIfState | null): string {
-  const sampling = `Sampling: with ${Math.round(100 * of.confidence)} % confidence, of the ${of.run.stored.toLocaleString('en')} rocks whose trajectories are stored.`;
-  const answer = whatIf?.answer;
+function rowsText(of: AskedAnswer, ranges: Ranges): string[] {
   const spread = of.kind === 'polygon' ? null : of.ensembles;
-  const ofEnsembles = spread && `Inputs: the range of ${percentText(spread.confidence)} of the ${spread.ensembles} ensembles of this run, each with its own parameters; the chance of their rocks is in it.`;
-  if (!answer) return `${sampling} ${ofEnsembles ? `${ofEnsembles} Rock models` : 'Inputs and rock models'} were not varied.`;
-  const part = answer.rocks < answer.planned ? `a fair sample of ${answer.rocks.toLocaleString('en')} of ${counted(answer.planned, 'rock')}` : `the same ${counted(answer.rocks, 'rock')}`;
-  if (ofEnsembles) return `${sampling} ${ofEnsembles} Models: ${part}, with the other rock models, in the table of the next page, which also has each input a step lower and higher.`;
-  return `${sampling} Inputs: ${part}, with each input a step lower and higher. Models: with the other rock models. Both in the table of the next page.`;
+  const answer = ranges.job?.answer;
+  const part = answer && (answer.rocks < answer.planned ? `a fair sample of ${answer.rocks.toLocaleString('en')} of ${counted(answer.planned, 'rock')}` : `the same ${counted(answer.rocks, 'rock')}`);
+  const ground = ranges.job?.question.material;
+  return [
+    `Sampling: with ${Math.round(100 * of.confidence)} % confidence, of the ${of.run.stored.toLocaleString('en')} rocks whose trajectories are stored.`,
+    spread ? `Inputs: the range of ${percentText(spread.confidence)} of the ${spread.ensembles} ensembles of this run, each with its own parameters; the chance of their rocks is in it.` : '',
+    part && !spread ? `Inputs: ${part}, with each input a step lower and higher${ground ? `, the ground of ${ground} alone` : ''}. Models: with the other rock models. Both in the table of the next page.` : '',
+    part && spread ? `Models: ${part}, with the other rock models, in the table of the next page, which also has each input a step lower and higher.` : '',
+    printedText(ranges),
+  ].filter(Boolean);
 }
 
 function Foot({ page }: { page: number }) {
@@ -115,14 +118,14 @@ export interface SheetProps {
   of: AskedAnswer;
   now: Asked;
   summary: Summary;
-  whatIf: WhatIfState | null;
+  ranges: Ranges;
   doubts: readonly Doubt[];
   /// What an asked barrier stops by its own height and capacity; null: none is asked.
   asItStands: string | null;
   picture: string | null;
 }
 
-export function AnswerSheet({ of, now, summary, whatIf, doubts, asItStands, picture }: SheetProps) {
+export function AnswerSheet({ of, now, summary, ranges, doubts, asItStands, picture }: SheetProps) {
   const run = shown.value!;
   const head = (
     <header>
@@ -130,7 +133,8 @@ export function AnswerSheet({ of, now, summary, whatIf, doubts, asItStands, pict
       <p>{titleBlockFacts().join(' · ')}</p>
     </header>
   );
-  const cards = cardsOf(of, whatIf?.answer ?? null, placeName(now, run.dimension));
+  const { job } = ranges;
+  const cards = cardsOf(of, job?.answer ?? null, placeName(now, run.dimension));
   return (
     <>
       <article>
@@ -138,10 +142,10 @@ export function AnswerSheet({ of, now, summary, whatIf, doubts, asItStands, pict
         <Place of={of} now={now} asItStands={asItStands} />
         <div class="answer-cards">
           {cards.map((card) => (
-            <OneCard key={card.key} of={card} waiting="not varied" isPart={false} />
+            <OneCard key={card.key} of={card} missing={missingOnPaper[ranges.state]} isPart={arePending(ranges)} />
           ))}
         </div>
-        <p class="faint">{rowsText(of, whatIf)}</p>
+        <p class="faint">{rowsText(of, ranges).join(' ')}</p>
         {doubts.length > 0 && (
           <div class="doubts">
             <ul>
@@ -163,7 +167,7 @@ export function AnswerSheet({ of, now, summary, whatIf, doubts, asItStands, pict
       <article>
         {head}
         <PrintedInputs of={summary} />
-        {whatIf?.answer && <PrintedMoves of={whatIf.answer} question={whatIf.question} />}
+        {job?.answer && <PrintedMoves of={job.answer} question={job.question} />}
         <Places />
         <div class="space" />
         {hasResults(run) && <p class="faint">All results, figures and settings: report.html of the run, in {run.folder}.</p>}

@@ -11,12 +11,12 @@ const rows = [
 interface Props {
   of: Card;
   /// What a row says that has no range yet.
-  waiting: string;
+  missing: string;
   /// Whether ranges may still grow.
   isPart: boolean;
 }
 
-export function OneCard({ of, waiting, isPart }: Props) {
+export function OneCard({ of, missing, isPart }: Props) {
   return (
     <section class={`answer-card ${of.key}`} aria-label={of.title}>
       <h3>{of.title}</h3>
@@ -42,7 +42,7 @@ export function OneCard({ of, waiting, isPart }: Props) {
                 const found = text(figure);
                 return (
                   <td key={figure.name} title={why(figure) || title} class={found === null ? 'faint' : isPart && name !== 'sampling' ? 'part' : ''}>
-                    {found ?? waiting}
+                    {found ?? missing}
                   </td>
                 );
               })}

@@ -9,7 +9,7 @@ import { shown } from '../runs/runs';
 import { sheetPng } from '../view/sheet';
 import { AnswerSheet } from './AnswerSheet';
 import { doubts } from './doubtsNow';
-import { job } from './job';
+import { ranges } from './job';
 import { lineAnswer } from './lineAnswer';
 import { place, summary } from './place';
 import './answerSheet.css';
@@ -29,8 +29,8 @@ let last: (() => void) | null = null;
 export const printAnswer = () =>
   attempt('the sheet', async () => {
     last?.();
-    const [run, now, of, summed, whatIf] = [shown.peek(), place.peek(), lineAnswer.peek().value, summary.peek(), job.peek()];
-    if (!run || !now || !of || !summed) return;
+    const [run, now, of, summed, moved] = [shown.peek(), place.peek(), lineAnswer.peek().value, summary.peek(), ranges.peek()];
+    if (!run || !now || !of || !summed || !moved) return;
     const [png, own] = await Promise.all([sheetPng(), asItStands(run.id, now)]);
     const picture = png && URL.createObjectURL(png);
     const host = Object.assign(document.createElement('div'), { className: 'answer-sheet' });
@@ -41,7 +41,7 @@ export const printAnswer = () =>
       host.remove();
     });
     document.body.append(host);
-    render(<AnswerSheet of={of} now={now} summary={summed} whatIf={whatIf} doubts={doubts.peek()} asItStands={own} picture={picture} />, host);
+    render(<AnswerSheet of={of} now={now} summary={summed} ranges={moved} doubts={doubts.peek()} asItStands={own} picture={picture} />, host);
     await host.querySelector('img')?.decode();
     addEventListener('afterprint', end, { once: true });
     print();

@@ -10,7 +10,7 @@ import { fileName } from '../charts/save';
 import { unitSystem } from '../state/displayUnits';
 import { shown } from '../runs/runs';
 import { barsOf, changeText, figures, figureTitle, nameOf, type WhatIfBar } from './tornadoOf';
-import { begin, chooseFigure, openAsRun, refusal, stop, unitOfChange, whatIf, whatIfFigure } from './whatIf';
+import { begin, chooseFigure, openAsRun, refusalOf, stop, unitOfChange, whatIf, whatIfFigure } from './whatIf';
 import { asked } from './asked';
 import { shapeOf } from './shape';
 import { WhatIfChoices } from './WhatIfChoices';
@@ -128,6 +128,7 @@ export function WhatIf() {
   const now = whatIf.value;
   const run = shown.value!.id;
   const choices = useRemote(run, material.value, (signal) => whatIfs.choices(run, material.value, signal));
+  const refusal = asked.value && refusalOf(shapeOf(asked.value));
   const options = choices.value && optionsOf(choices.value, chosenSteps.value, material.value);
   return (
     <div class="asked-what-if">
@@ -161,9 +162,9 @@ export function WhatIf() {
           {now ? 'Vary the inputs again' : 'Vary the inputs'}
         </button>
       )}
-      {refusal.value !== null && (
+      {refusal !== null && (
         <p class="problem error" role="alert">
-          {refusal.value}
+          {refusal}
         </p>
       )}
     </div>

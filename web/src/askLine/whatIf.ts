@@ -70,13 +70,22 @@ effect(() => {
   if (found?.state === 'running') timer = setTimeout(() => void follow(found.run), between);
 });
 
-/// Why the last one could not be begun, for example because of a step; null: it was.
-export const refusal = signal<string | null>(null);
+const onItsWay = signal<string | null>(null);
+const refused = signal<{ question: string; why: string } | null>(null);
+const isOf = (question: string | undefined, shape: AskedShape) => shown.value !== null && question === questionKey(shown.value.id, shape);
+/// Whether that of a question to the shown run is being sent to the server.
+export const isBeginning = (shape: AskedShape) => isOf(onItsWay.value ?? undefined, shape);
+/// Why that of a question to the shown run could not be begun, for example because of a step; null: it was, or not asked.
+export const refusalOf = (shape: AskedShape) => (isOf(refused.value?.question, shape) ? refused.value!.why : null);
 
 export async function begin(shape: AskedShape, options: WhatIfOptions) {
   const run = shown.peek()?.id;
   if (run === undefined) return;
-  refusal.value = null;
+  const question = questionKey(run, shape);
+  batch(() => {
+    refused.value = null;
+    onItsWay.value = question;
+  });
   try {
     const begun = await whatIfs.begin(run, { ...shape, ...options });
     batch(() => {
@@ -84,7 +93,9 @@ export async function begin(shape: AskedShape, options: WhatIfOptions) {
       askedFor.value = run;
     });
   } catch (error) {
-    refusal.value = error instanceof Error ? error.message : String(error);
+    refused.value = { question, why: error instanceof Error ? error.message : String(error) };
+  } finally {
+    if (onItsWay.peek() === question) onItsWay.value = null;
   }
 }
 export const stop = () =>
