@@ -107,7 +107,7 @@ test('ensembles of the run give the range over inputs', async ({ workbench: page
   await expect(row(page, /^Fence needed/, 'models')).toHaveText(/ to .* kJ$/, { timeout: 30_000 });
   await page.evaluate(() => (window.print = () => undefined));
   await answers(page).getByRole('button', { name: 'A4 sheet' }).click();
-  await expect(page.locator('.answer-sheet article').first()).toContainText('Inputs: the range of 90 % of the 10 ensembles of this run');
+  await expect(page.locator('.answer-sheet article').first()).toContainText('Inputs: the range of 90 % of the 10 ensembles of this run', { timeout: 40_000 });
 });
 
 test('a sheet that is asked for early waits for the ranges, or says that they were not there yet', async ({ workbench: page }) => {

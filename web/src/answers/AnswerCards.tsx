@@ -1,6 +1,7 @@
 // The answers of the shown run, above the view: what passes the chosen place, and how far to trust it.
 
 import { stop } from '../askLine/whatIf';
+import { placeName } from '../askLine/shape';
 import { shown } from '../runs/runs';
 import { Banner } from './Banner';
 import { cardsOf } from './cards';
@@ -15,7 +16,6 @@ import { missingText, type Ranges } from './ranges';
 import { SheetWaits } from './SheetWaits';
 import { wantSheet } from './sheetWaits';
 import { areOpen, openCards } from './shownCards';
-import { placeName } from './whichPlace';
 import './placeOverlay';
 import './answers.css';
 

@@ -2,9 +2,9 @@
 
 import { ask, asked } from '../askLine/asked';
 import { drawAsked } from '../askLine/askTools';
+import { placeName } from '../askLine/shape';
 import { shown } from '../runs/runs';
 import { place, runBarriers } from './place';
-import { placeName } from './whichPlace';
 
 export function PlaceChoice() {
   const [run, now, list] = [shown.value!, place.value, runBarriers.value];

@@ -2,13 +2,14 @@ import { expect, test } from 'vitest';
 import type { Interval, LineAnswer } from '../api/line';
 import type { Summary } from '../api/results';
 import type { Figures, Variation, WhatIfAnswer } from '../api/whatIf';
+import { placeLabel, placeName } from '../askLine/shape';
 import { inputsOf, modelsOf, rangeOver } from '../askLine/spread';
 import { cardsOf } from './cards';
 import { areApart, doubtsOf } from './doubts';
 import { firstOf } from './firstOf';
 import { shouldBegin, type Situation } from './jobStep';
 import { middleEnd, middleEnds, spreadOf } from './middleEnd';
-import { placeName, placeOf } from './whichPlace';
+import { placeOf } from './whichPlace';
 
 const figures = (share: number, height: number | null): Figures => {
   const interval = (value: number, by: number): Interval => [value, value - by, value + by];
@@ -168,6 +169,8 @@ test('the place: what is asked, or the road, another collector, a barrier', () =
   expect(placeOf(null, 3, [net])).toEqual({ kind: 'barrier', name: 'Net' });
   expect(placeOf(null, 3, [])).toBeNull();
   expect(placeName({ kind: 'line', points: [[15.204, 0]] }, 2)).toBe('x = 15.2 m');
+  expect(placeLabel({ kind: 'line', points: [[0, 0], [1, 0]] }, 3)).toBe('Asked line'); // prettier-ignore
+  expect(placeLabel({ kind: 'barrier', name: 'the asked road' }, 3)).toBe('the asked road');
 });
 
 test('half of the rocks end below the middle end', () => {

@@ -31,7 +31,7 @@ export const printAnswer = () =>
     last?.();
     const [run, now, of, summed, moved] = [shown.peek(), place.peek(), lineAnswer.peek().value, summary.peek(), ranges.peek()];
     if (!run || !now || !of || !summed || !moved) return;
-    const [png, own] = await Promise.all([sheetPng(), asItStands(run.id, now)]);
+    const [png, own] = await Promise.all([sheetPng(true), asItStands(run.id, now)]);
     const picture = png && URL.createObjectURL(png);
     const host = Object.assign(document.createElement('div'), { className: 'answer-sheet' });
     const end = (last = () => {

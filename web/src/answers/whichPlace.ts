@@ -16,10 +16,3 @@ export function placeOf(now: Asked | null, dimension: 2 | 3, barriers: readonly 
   const found = collectors.find(({ name }) => protectedName.test(name)) ?? collectors[0] ?? barriers[0];
   return found ? { kind: 'barrier', name: found.name } : null;
 }
-
-/// "Road", "the asked line", "x = 15.2 m".
-export function placeName(of: Asked, dimension: 2 | 3): string {
-  if (of.kind === 'barrier') return of.name;
-  if (of.kind === 'polygon') return 'the asked area';
-  return dimension === 2 ? `x = ${Number(of.points[0]![0].toFixed(2))} m` : 'the asked line';
-}

@@ -5,8 +5,10 @@ import type { Point3 } from '../api/types';
 import { showOverlay, type Overlay } from '../tools/tool';
 import { markColours } from '../view/colours';
 import { answer, askedNow, draggedPoints, isAsking } from './asked';
+import { shown } from '../runs/runs';
 import { cornersOf, groundOf } from './askTools';
 import { partOf } from './foot';
+import { placeLabel } from './shape';
 import { owned } from '../state/owned';
 
 /// The part of the line under the pointer in the figure, from and to [m].
@@ -22,9 +24,10 @@ effect(() => {
   const line = ground.length > 1 ? ground : corners;
   const kind: Overlay['kind'] = now.kind === 'polygon' ? 'polygon' : 'line';
   const colour = markColours.asked;
+  const place = { name: placeLabel(now, shown.value?.dimension ?? 3), isFitted: draggedPoints.value === null };
   showOverlay('asked line', [
-    ...(line.length > 1 ? [{ points: line, kind, colour, isBare: true }] : []),
-    { points: corners, kind: 'points', colour },
+    ...(line.length > 1 ? [{ points: line, kind, colour, isBare: true, width: 5, place }] : []),
+    { points: corners, kind: 'points', colour, ...(line.length === 1 && { place }) },
   ]);
 });
 

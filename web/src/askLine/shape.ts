@@ -30,3 +30,12 @@ export function askedOf(text: string): Asked | null {
 }
 
 export const moved = (points: readonly Point2[], dx: number, dy: number): Point2[] => points.map(([x, y]) => [x + dx, y + dy]);
+
+/// "Road", "the asked line", "x = 15.2 m".
+export function placeName(of: Asked, dimension: 2 | 3): string {
+  if (of.kind === 'barrier') return of.name;
+  if (of.kind === 'polygon') return 'the asked area';
+  return dimension === 2 ? `x = ${Number(of.points[0]![0].toFixed(2))} m` : 'the asked line';
+}
+/// The same as a label: "Asked line".
+export const placeLabel = (of: Asked, dimension: 2 | 3): string => (of.kind === 'barrier' ? of.name : placeName(of, dimension).replace('the asked', 'Asked'));

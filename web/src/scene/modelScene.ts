@@ -18,6 +18,7 @@ import { contours, exaggeration, layers, shading } from '../view/settings';
 import { shade } from '../view/theme';
 import { roundStep } from '../geometry/ticks';
 import { Frame } from './frame';
+import { isInView, nameOf, type Place } from './fittedPlaces';
 import { clear, dots, line, patch, walls } from './marks';
 import { MeshTerrain } from './meshTerrain';
 import { NameLayer, type Name } from './nameLayer';
@@ -64,6 +65,7 @@ export class ModelScene {
   private pictures: readonly DrapedPicture[] = [];
   private seederNames: Name[] = [];
   private barrierNames: Name[] = [];
+  private places: Place[] = [];
   /// Called when the frame or the terrain changes.
   readonly onTerrain: (() => unknown)[] = [];
 
@@ -245,18 +247,24 @@ export class ModelScene {
 
   /// The names to draw.
   names(): Name[] {
-    return [...(layers.barriers.peek() ? this.barrierNames : []), ...(layers.seeders.peek() ? this.seederNames : []), ...this.layerNames];
+    const places = this.places.flatMap((place) => nameOf(this.stage, place) ?? []);
+    const barriers = this.barrierNames.filter(({ text }) => !places.some((place) => place.text === text));
+    return [...places, ...(layers.barriers.peek() ? barriers : []), ...(layers.seeders.peek() ? this.seederNames : []), ...this.layerNames];
   }
 
   private draw(lists: typeof overlays.value) {
     clear(this.drawings);
-    for (const { points, kind, isBare, colour = markColours.tool, width = 2.5 } of Object.values(lists).flat()) {
+    const drawn = Object.values(lists).flat();
+    for (const { points, kind, isBare, colour = markColours.tool, width = 2.5, place } of drawn) {
       const places = points.map(this.local);
       const look = { colour, size: width, above: true };
+      if (place && kind !== 'points') this.drawings.add(line(places, { ...look, size: width + 4, colour: '#ffffff' }, kind === 'polygon'));
       if (kind === 'polygon' && places.length === 3) this.drawings.add(patch(places, colour));
       if (kind !== 'points') this.drawings.add(line(places, look, kind === 'polygon'));
       if (kind !== 'polygon' && !isBare && places.length > 0) this.drawings.add(dots(places, { ...look, size: 9 }));
     }
+    this.places = drawn.flatMap(({ points, colour = markColours.tool, place }): Place[] => (place ? [{ ...place, colour, points: points.map(this.local) }] : []));
+    if (this.terrain && tool.peek() === null && !this.showsPlaces()) this.refit();
     this.stage.invalidate();
   }
 
@@ -309,7 +317,8 @@ export class ModelScene {
     const { camera, controls } = this.stage;
     const ground = this.terrain?.samplePoints() ?? [];
     const subject = this.result && name !== 'whole' ? resultPlaces(this.result, this.local(this.result.header.origin)) : { box: this.box, places: ground };
-    look(this.stage, name, subject, this.standing, ground, this.over);
+    const asked = this.places.filter(({ isFitted }) => isFitted).flatMap(({ points }) => points);
+    look(this.stage, name, subject, [...this.standing, ...asked], ground, this.over);
     this.viewed = { name, eye: camera.position.clone(), target: controls.target.clone() };
   }
 
@@ -336,9 +345,15 @@ export class ModelScene {
     return moved < 1e-4 * eye.distanceTo(target) ? name : null;
   }
 
-  /// Runs a task with the view rendered at another size.
-  inSize<T>(size: { width: number; height: number }, task: () => T): T {
-    const [name, { stage, viewed, over }] = [this.unmovedView(), this];
+  /// Whether the places that must not be overlooked are in the picture.
+  showsPlaces(): boolean {
+    this.stage.camera.updateMatrixWorld();
+    return this.places.every((each) => !each.isFitted || isInView(this.stage, each));
+  }
+
+  /// Runs a task with the view rendered at another size; `isFitted`: from the same direction, fitted to the result.
+  inSize<T>(size: { width: number; height: number }, task: () => T, isFitted = false): T {
+    const [name, { stage, viewed, over }] = [this.unmovedView() ?? (isFitted ? 'fit' : null), this];
     const { width, height } = stage.size;
     try {
       return stage.inSize(size, () => {

@@ -10,14 +10,16 @@ export interface Name {
   text: string;
   /// In the scene's coordinates.
   at: Vector3;
+  /// The colour of a plate behind it.
+  plate?: string;
 }
 
 /// Draws names in CSS pixels of the stage, outside the boxes `over`.
 export function drawNames(pen: CanvasRenderingContext2D, stage: Stage, names: readonly Name[], over: readonly Box[]) {
   const { width, height } = stage.size;
-  const labels = names.flatMap(({ text, at }) => {
+  const labels = names.flatMap(({ text, at, plate }) => {
     const pixel = stage.pixelOf(at);
-    return pixel ? [labelOf(pen, text, [pixel.x, pixel.y], 6)] : [];
+    return pixel ? [labelOf(pen, text, [pixel.x, pixel.y], 6, plate)] : [];
   });
   const placed = placeLabels(labels, { left: 4, top: 4, right: width - 4, bottom: height - 4 }, over);
   drawLabels(pen, placed, { text: cssColour('--text'), halo: cssColour('--panel') });

@@ -44,7 +44,7 @@ export function openScene(host: HTMLElement): OpenScene {
   };
   const endHandles = showHandles();
   const endOffering = offerThumbnail(() => thumbnailOf(() => sceneThumbnail(scene)));
-  const endSheet = offerSheet(() => scenePicture(scene));
+  const endSheet = offerSheet((mustShowPlace) => scenePicture(scene, mustShowPlace));
   return {
     scene,
     pointing,

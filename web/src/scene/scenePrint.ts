@@ -18,9 +18,9 @@ const timeout = 6000; // ms to load terrain at the resolution of the print
 const wait = (time: number) => new Promise((done) => setTimeout(done, time));
 
 /// Loads the terrain for a picture of this size, with `ratio` pixels per CSS pixel.
-async function loadTerrain(scene: ModelScene, size: Size, ratio: number) {
+async function loadTerrain(scene: ModelScene, size: Size, ratio: number, isFitted = false) {
   const until = performance.now() + timeout;
-  while (performance.now() < until && scene.inSize(size, () => scene.missing(size.height * ratio)) > 0) await wait(100);
+  while (performance.now() < until && scene.inSize(size, () => scene.missing(size.height * ratio), isFitted) > 0) await wait(100);
 }
 
 /// The view at the present size, with names.
@@ -32,8 +32,8 @@ function copied(scene: ModelScene, ratio: number): HTMLCanvasElement {
   return canvas;
 }
 
-function paint(scene: ModelScene): SheetPicture {
-  return scene.inSize(pictureSize, () => {
+function paint(scene: ModelScene, isFitted: boolean): SheetPicture {
+  const paintIn = () => {
     const canvas = copied(scene, printRatio);
     const { metresPerPixel, heading } = sceneCamera.peek();
     const interval = picture.contourInterval.peek();
@@ -44,13 +44,15 @@ function paint(scene: ModelScene): SheetPicture {
       ...(shownMap.peek() ? [`map of ${shownMap.peek()!.meaning}`] : []),
     ];
     return { canvas, legends: sceneLegends(), metresPerPixel, heading, remarks };
-  });
+  };
+  return scene.inSize(pictureSize, paintIn, isFitted);
 }
 
-export async function scenePicture(scene: ModelScene): Promise<SheetPicture> {
-  await loadTerrain(scene, pictureSize, printRatio);
+export async function scenePicture(scene: ModelScene, mustShowPlace: boolean): Promise<SheetPicture> {
+  const isFitted = mustShowPlace && !scene.inSize(pictureSize, () => scene.showsPlaces());
+  await loadTerrain(scene, pictureSize, printRatio, isFitted);
   try {
-    return inLight(() => paint(scene));
+    return inLight(() => paint(scene, isFitted));
   } finally {
     scene.stage.invalidate();
   }

@@ -85,9 +85,20 @@ export function drawObserved(pen: Pen, frame: Frame, lists: readonly ObservedPla
   }
 }
 
+/// A line up from a place of the ground, over all trajectories, with its name.
+function drawPlace(pen: Pen, { height }: Frame, [x, y]: [number, number], colour: string, name: string): Label[] {
+  const top = Math.max(24, y - 0.7 * height);
+  polyline(pen, [[x, y], [x, top]], 7, '#ffffff'); // prettier-ignore
+  pen.setLineDash([10, 5]);
+  polyline(pen, [[x, y], [x, top]], 3.5, colour); // prettier-ignore
+  pen.setLineDash([]);
+  return [labelOf(pen, name, [x, top], 0, colour)];
+}
+
 export function drawOverlays(pen: Pen, frame: Frame, lists: Overlay[]): Label[] {
-  return lists.flatMap(({ points, kind, colour = markColours.tool, label, width = 3, isBare, isDashed }) => {
+  return lists.flatMap(({ points, kind, colour = markColours.tool, label, width = 3, isBare, isDashed, place }) => {
     const pixels = points.map(([x, , z]) => pixelOf(frame, x, z));
+    const named = place && pixels[0] ? drawPlace(pen, frame, pixels[0], colour, place.name) : [];
     if (kind === 'points') for (const pixel of pixels) dot(pen, pixel, 5, colour);
     else {
       pen.setLineDash(isDashed ? [8, 5] : []);
@@ -96,6 +107,6 @@ export function drawOverlays(pen: Pen, frame: Frame, lists: Overlay[]): Label[] 
     }
     if (kind !== 'points' && !isBare) for (const pixel of pixels) dot(pen, pixel, 3.5, colour);
     const last = pixels.at(-1);
-    return label && last ? [labelOf(pen, label, last, 5)] : [];
+    return [...named, ...(label && last ? [labelOf(pen, label, last, 5)] : [])];
   });
 }

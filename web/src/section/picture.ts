@@ -84,9 +84,11 @@ export function paint(pen: CanvasRenderingContext2D, now: Frame, drawPaths: () =
   if (profile.value && layers.terrain.value) drawSlope(pen, now, profile.value, colours);
   drawRun(pen, now, drawPaths, colours);
   drawObserved(pen, now, shownObserved.value);
+  const ofOverlays = drawOverlays(pen, now, Object.values(overlays.value).flat());
+  const ofBarriers = model.value && layers.barriers.value ? drawBarriers(pen, now, model.value, path) : [];
   const names = [
-    ...drawOverlays(pen, now, Object.values(overlays.value).flat()),
-    ...(model.value && layers.barriers.value ? drawBarriers(pen, now, model.value, path) : []),
+    ...ofOverlays,
+    ...ofBarriers.filter(({ text }) => !ofOverlays.some((each) => each.plate !== undefined && each.text === text)),
     ...(model.value && layers.seeders.value ? drawSeeders(pen, now, model.value, path) : []),
   ];
   const numbers = drawAxes(pen, now, colours, covered);

@@ -46,6 +46,8 @@ export interface Overlay {
   isDashed?: boolean;
   /// Of a line [pixels].
   width?: number;
+  /// A place that must not be overlooked: with a halo, and named on a plate. `isFitted`: a view that was not moved shows it.
+  place?: { name: string; isFitted: boolean };
 }
 const shown = signal<Record<string, Overlay[]>>({});
 export const overlays: ReadonlySignal<Record<string, Overlay[]>> = shown;

@@ -10,6 +10,8 @@ export interface Label {
   height: number;
   at: Pixel;
   reach: number;
+  /// The colour of a plate behind it, with white text.
+  plate?: string;
 }
 
 export interface PlacedLabel extends Label {
@@ -60,11 +62,12 @@ type Pen = CanvasRenderingContext2D;
 const font = '600 12px system-ui, sans-serif';
 
 /// A label with its measured size.
-export function labelOf(pen: Pen, text: string, at: Pixel, reach: number): Label {
+export function labelOf(pen: Pen, text: string, at: Pixel, reach: number, plate?: string): Label {
   pen.font = font;
   const limit = 40; // characters
   const short = text.length > limit ? `${text.slice(0, limit - 1)}…` : text;
-  return { text: short, width: pen.measureText(short).width + 4, height: 15, at, reach };
+  const width = pen.measureText(short).width + 4;
+  return plate === undefined ? { text: short, width, height: 15, at, reach } : { text: short, width: width + 8, height: 20, at, reach, plate };
 }
 
 export function drawLabels(pen: Pen, labels: readonly PlacedLabel[], colours: { text: string; halo: string }) {
@@ -72,11 +75,11 @@ export function drawLabels(pen: Pen, labels: readonly PlacedLabel[], colours: { 
   pen.textAlign = 'left';
   pen.textBaseline = 'middle';
   pen.lineJoin = 'round';
-  for (const { text, at: [x, y], box, isDetached } of labels) {
-    const [left, middle] = [box.left + 2, (box.top + box.bottom) / 2];
+  for (const { text, at: [x, y], box, isDetached, plate } of labels) {
+    const [left, middle] = [box.left + (plate === undefined ? 2 : 6), (box.top + box.bottom) / 2];
     if (isDetached) {
       const [toX, toY] = [Math.max(box.left, Math.min(box.right, x)), Math.max(box.top, Math.min(box.bottom, y))];
-      for (const [width, colour] of [[3, colours.halo], [1, colours.text]] as const) {
+      for (const [width, colour] of [[plate === undefined ? 3 : 4, plate === undefined ? colours.halo : '#ffffff'], [plate === undefined ? 1 : 2, plate ?? colours.text]] as const) {
         pen.lineWidth = width;
         pen.strokeStyle = colour;
         pen.beginPath();
@@ -85,10 +88,20 @@ export function drawLabels(pen: Pen, labels: readonly PlacedLabel[], colours: { 
         pen.stroke();
       }
     }
-    pen.lineWidth = 3.5;
-    pen.strokeStyle = colours.halo;
-    pen.strokeText(text, left, middle);
-    pen.fillStyle = colours.text;
+    if (plate === undefined) {
+      pen.lineWidth = 3.5;
+      pen.strokeStyle = colours.halo;
+      pen.strokeText(text, left, middle);
+    } else {
+      pen.beginPath();
+      pen.roundRect(box.left, box.top, box.right - box.left, box.bottom - box.top, 4);
+      pen.lineWidth = 3;
+      pen.strokeStyle = '#ffffff';
+      pen.stroke();
+      pen.fillStyle = plate;
+      pen.fill();
+    }
+    pen.fillStyle = plate === undefined ? colours.text : '#ffffff';
     pen.fillText(text, left, middle);
   }
 }

@@ -144,11 +144,13 @@ export function sheetOf({ canvas, legends, metresPerPixel, heading, remarks }: S
   return made;
 }
 
+/// `mustShowPlace`: if the place of the answers is out of view, the picture shows all of the result.
+type PaintSheet = (mustShowPlace: boolean) => SheetPicture | Promise<SheetPicture>;
 /// Paints the open view; null: there is none.
-let paintView: (() => SheetPicture | Promise<SheetPicture>) | null = null;
+let paintView: PaintSheet | null = null;
 
 /// A view that is open offers its picture. Returns a function that ends this.
-export function offerSheet(paint: () => SheetPicture | Promise<SheetPicture>): () => void {
+export function offerSheet(paint: PaintSheet): () => void {
   paintView = paint;
   return () => {
     if (paintView === paint) paintView = null;
@@ -156,7 +158,7 @@ export function offerSheet(paint: () => SheetPicture | Promise<SheetPicture>): (
 }
 
 /// The sheet of the open view.
-export const sheetPng = async (): Promise<Blob | null> => (paintView ? printPng(sheetOf(await paintView())) : null);
+export const sheetPng = async (mustShowPlace = false): Promise<Blob | null> => (paintView ? printPng(sheetOf(await paintView(mustShowPlace))) : null);
 
 export async function saveSheet() {
   try {
