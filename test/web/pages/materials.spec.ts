@@ -1,7 +1,7 @@
 // A library of materials of one's own: values are saved from one project and copied into another.
 
 import type { Page } from '@playwright/test';
-import { openExample, openForm, projectText, toStartPage } from '../support/steps';
+import { openExample, openForm, openProject, projectText, toStartPage } from '../support/steps';
 import { expect, test } from '../support/workbench';
 
 const file = 'own.materials.toml';
@@ -60,4 +60,22 @@ friction_angle_deg = 30
   await again.getByRole('button', { name: 'Delete My scree from my materials for good' }).click();
   await expect.poll(() => server.read(file)).not.toContain('My scree');
   expect(await again.getByRole('table').count()).toBe(2);
+});
+
+test('a material that takes the values of the library takes its name, too, unless the user has named it', async ({ workbench: page, server }) => {
+  server.write('cliff.toml', 'name = "Cliff"\n\n[terrain]\nsection = [[0, 0], [10, -20], [30, -20]]\n\n[[material]]\nname = "Material 1"\n\n[ground]\ndefault = "Material 1"\n');
+  await page.reload();
+  await openProject(page, 'cliff.toml');
+  await openForm(page, /^Material 1/);
+  const like = page.locator('[data-path="material.0.like"] select');
+  await like.selectOption('bedrock_outcrops');
+  const name = page.locator('[data-path="material.0.name"] input');
+  await expect(name).toHaveValue('Bedrock outcrops with hard surface, large boulders');
+  await like.selectOption('talus_cover');
+  await expect(name).toHaveValue('Talus cover');
+  await expect.poll(() => projectText(page)).toContain('default = "Talus cover"');
+  await name.fill('Scree above the road');
+  await name.press('Tab');
+  await like.selectOption('bedrock_outcrops');
+  await expect.poll(() => projectText(page)).toContain('name = "Scree above the road"\nlike = "bedrock_outcrops"');
 });

@@ -7,7 +7,7 @@ import { library, loadLibrary } from '../project/library';
 import { isNameOf } from '../project/likeness';
 import { addOwn, loadOwn, ownMaterials, removeOwn } from '../project/ownMaterials';
 import type { KeyOf } from '../settings/names';
-import { freshName } from '../project/place';
+import { unusedName } from '../project/place';
 import { append } from '../project/things';
 import { valueText } from '../settings/words';
 
@@ -21,8 +21,7 @@ const allColumns: [KeyOf<'material'>, string][] = [
 ];
 
 function addMaterial({ key, name }: LibraryMaterial) {
-  const isTaken = rowsOf('material').some((row) => row.name === name);
-  append('material', { name: isTaken ? freshName(['material'], name) : name, like: key }, `add ${name}`);
+  append('material', { name: unusedName('material', name), like: key }, `add ${name}`);
 }
 
 /// How many materials of the project are this one by their names.

@@ -1,5 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import type { LibraryMaterial } from '../api/types';
+import { isGivenName } from './libraryName';
 import { likeness } from './likeness';
 
 const entry = (key: string, name: string, values: Record<string, unknown>): LibraryMaterial => ({ key, name, values, sources: [] });
@@ -31,4 +32,9 @@ describe('a material compared with the library', () => {
     expect(changedOf({ name: 'Gully', like: 'talus', friction_angle_deg: 35 })).toMatchObject({ changed: ['friction_angle_deg'], isNamedLikeIt: false });
     expect(changedOf({ name: 'Gully', normal_restitution: 0.4 })).toBeNull();
   });
+});
+
+test('a name that the program gave can be replaced, one of the user cannot', () => {
+  for (const name of ['Material 1', 'Material 12', 'Coarse talus', 'Bare rock 2', '', undefined]) expect(isGivenName(name, 'Material', list)).toBe(true);
+  for (const name of ['Scree', 'Material of the road', 'Coarse talus above the road']) expect(isGivenName(name, 'Material', list)).toBe(false);
 });

@@ -4,7 +4,7 @@
 import { signal } from '@preact/signals';
 import { api, Refused } from '../api/client';
 import { workplace } from '../state/about';
-import { file, rowsOf } from './document';
+import { file } from './document';
 import { nextRevision } from './drafts';
 import { notify } from '../state/messages';
 import { writeInTurn } from '../state/writes';
@@ -13,7 +13,7 @@ import { valuesOf } from '../toml/values';
 import type { TomlTable } from '../toml/format';
 import type { Row } from '../settings/names';
 import { readFolder } from './files';
-import { freshName } from './place';
+import { unusedName } from './place';
 import { isTable } from '../settings/tables';
 import { append } from './things';
 
@@ -97,9 +97,8 @@ export const removeOwn = (name: string) =>
 
 /// Copies a material into the project, with a comment on where it is from.
 export function addOwn({ name, values, from, on }: OwnMaterial) {
-  const isTaken = rowsOf('material').some((row) => row.name === name);
   const source = `From ${ownFile}${from && `, saved there from ${from}`}${on && ` on ${on}`}`.replace(/[\p{Cc}]/gu, ' ');
-  append('material', { ...values, name: isTaken ? freshName(['material'], name) : name }, `add ${name}`, source);
+  append('material', { ...values, name: unusedName('material', name) }, `add ${name}`, source);
 }
 
 /// Whether a material names a file, which other projects would not find.

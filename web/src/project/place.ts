@@ -58,13 +58,16 @@ export const pathText = (path: Path) => path.join('.');
 
 let formerNames: FormerName[] = [];
 
-/// Sets a value, or removes its key (undefined).
-export function put(path: Path, value: TomlValue | undefined, title: string, merge = pathText(path)) {
+/// Sets a value, or removes its key (undefined); with the name of its entry, too, if `name` is given.
+/// Changes with the same `merge` in a row are one step of Undo.
+export function put(path: Path, value: TomlValue | undefined, title: string, { merge = pathText(path), name }: { merge?: string; name?: string } = {}) {
   const what = value === undefined ? `clear ${title}` : `change ${title}`;
   const own: Edit = value === undefined ? { remove: path } : { set: path, value };
+  const namePath: Path = [...path.slice(0, 2), 'name'];
   const isName = path.length === 3 && path[2] === 'name';
-  const renamed = isName ? renaming(values.value, path, value, formerNames) : { edits: [], known: formerNames };
-  const more = [...consequences(values.value, path, value), ...renamed.edits];
+  const next = isName ? value : name;
+  const renamed = isName || name !== undefined ? renaming(values.value, namePath, next, formerNames) : { edits: [], known: formerNames };
+  const more = [...consequences(values.value, path, value), ...(name !== undefined ? [{ set: namePath, value: name }] : []), ...renamed.edits];
   if (edit(`${what} of ${thingOf(path)}`, [own, ...more], merge)) formerNames = renamed.known;
 }
 
@@ -73,6 +76,15 @@ export function entriesUnchanged(key: TableName): () => boolean {
   const names = () => JSON.stringify(namesOf(key));
   const then = names();
   return () => names() === then;
+}
+
+/// The name itself, or numbered if another entry of a list has it; `own`: the entry that is to have it.
+export function unusedName(key: TableName, name: string, own?: number): string {
+  const others = namesOf(key).filter((_, index) => index !== own).map((each) => each.toLowerCase());
+  for (let number = 1; ; ++number) {
+    const next = number === 1 ? name : `${name} ${number}`;
+    if (!others.includes(next.toLowerCase())) return next;
+  }
 }
 
 /// An unused name for an entry of these lists: "Material 3".

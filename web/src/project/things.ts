@@ -9,7 +9,8 @@ import { tableOf } from '../settings/declared';
 import { kindOf } from '../settings/terrainKinds';
 import { freshName, is2d, nameOf, tableAt } from './place';
 
-const words: Partial<Record<TableName, string>> = {
+/// What a new entry is called, with a number.
+export const words: Partial<Record<TableName, string>> = {
   material: 'Material',
   area: 'Area',
   forest: 'Forest',

@@ -61,7 +61,7 @@ export function DistributionControl({ field, path }: FieldProps) {
             value={mean}
             {...marks('mean')}
             placeholder={inheritedText(path) ?? absentText(field)}
-            take={(next) => put(given ? [...path, 'mean'] : path, next, field.title, pathText(path))}
+            take={(next) => put(given ? [...path, 'mean'] : path, next, field.title, { merge: pathText(path) })}
           />
         )}
         {kinds?.kind === 'choice' && (
@@ -97,7 +97,6 @@ export function DistributionControl({ field, path }: FieldProps) {
                           [...path, part.key],
                           next,
                           `${part.title.toLowerCase()} of ${field.title.toLowerCase()}`,
-                          pathText([...path, part.key]),
                         )
                       }
                     />
