@@ -32,7 +32,7 @@ async function coloursOf(page: Page, file: string): Promise<number> {
 
 test('every example has a picture', async ({ workbench: page }) => {
   const pictures = page.getByRole('region', { name: 'Try an example' }).locator('img');
-  await expect(pictures).toHaveCount(10);
+  await expect(pictures).toHaveCount(11);
   for (const picture of await pictures.all()) {
     await picture.scrollIntoViewIfNeeded();
     await expect.poll(() => picture.evaluate((image: HTMLImageElement) => image.naturalWidth)).toBeGreaterThan(400);
