@@ -1,4 +1,4 @@
-// The range between ensembles at a line, against runs of each ensemble alone.
+// The range between ensembles at a line and in an area, against runs of each ensemble alone.
 
 #include "talus/lines/ensemble_spread.hpp"
 
@@ -36,7 +36,7 @@ std::string slope_with_ensembles(int ensembles, double step) {
 
 constexpr std::array<PlanPlace, 2> foot{{{25, 2}, {25, 58}}};
 
-EnsembleSpread spread_at_foot(const SimulatedRun& run) {
+LineSpread spread_at_foot(const SimulatedRun& run) {
   Problems warnings;
   const AskedLine line = drawn_line(run.model, foot, asked_height, "line", warnings);
   return ensemble_spread(
@@ -48,7 +48,7 @@ TEST(EnsembleSpread, IsOverTheAnswersOfEachEnsembleAlone) {
   constexpr std::uint64_t ensembles = 8;
   const SimulatedRun run(slope_with_ensembles(ensembles, 0.05));
   ASSERT_EQ(run.model.ensembles.size(), ensembles);
-  const EnsembleSpread spread = spread_at_foot(run);
+  const LineSpread spread = spread_at_foot(run);
   Problems warnings;
   const AskedLine line = drawn_line(run.model, foot, asked_height, "line", warnings);
   const auto basis = project::design_basis(run.project);
@@ -92,10 +92,48 @@ TEST(EnsembleSpread, IsWiderWhereParametersDiffer) {
 }
 
 TEST(EnsembleSpread, IsUnknownOfFewEnsembles) {
-  const EnsembleSpread spread = spread_at_foot(SimulatedRun(slope_with_ensembles(4, 0.05)));
+  const LineSpread spread = spread_at_foot(SimulatedRun(slope_with_ensembles(4, 0.05)));
   EXPECT_EQ(spread.ensembles, 4u);
   EXPECT_FALSE(spread.share);
   EXPECT_FALSE(spread.needed_energy);
+}
+
+TEST(EnsembleSpread, OfAnAreaIsOverTheAnswersOfEachEnsembleAlone) {
+  constexpr std::uint64_t ensembles = 8;
+  const SimulatedRun run(slope_with_ensembles(ensembles, 0.05));
+  Problems warnings;
+  constexpr std::array<PlanPlace, 4> corners{{{14, 2}, {60, 2}, {60, 58}, {14, 58}}};
+  const AskedArea area = drawn_area(run.model, corners, "polygon", warnings);
+  const auto basis = project::design_basis(run.project);
+  const auto answer_of = [&](const RockPaths& paths) { return ask_area(run.model, basis, paths, area); };
+  const AreaAnswer all = answer_of(run.paths);
+  std::vector<double> entering, stopping;
+  for (std::uint64_t k = 0; k < ensembles; ++k) {
+    SimulatedPaths alone = run.paths;
+    alone.keep(run.paths.simulated(), [&](std::uint64_t rock) { return rock % ensembles == k; });
+    const AreaAnswer answer = answer_of(alone);
+    entering.push_back(static_cast<double>(answer.entering.size()) / static_cast<double>(answer.rocks));
+    stopping.push_back(static_cast<double>(answer.stopping().size()) / static_cast<double>(answer.rocks));
+  }
+  const AreaSpread spread = ensemble_spread(run.model, run.paths.rocks(), all);
+  EXPECT_EQ(spread.ensembles, ensembles);
+  const auto expect_range = [&](std::vector<double> values, std::size_t of_all, const std::optional<Estimate>& range) {
+    std::ranges::sort(values);
+    const std::size_t last = values.size() - 1;
+    const double part = 0.05 * static_cast<double>(last);
+    ASSERT_TRUE(range);
+    EXPECT_DOUBLE_EQ(range->value, static_cast<double>(of_all) / static_cast<double>(all.rocks));
+    EXPECT_NEAR(*range->low, values[0] + part * (values[1] - values[0]), 1e-12);
+    EXPECT_NEAR(*range->high, values[last] - part * (values[last] - values[last - 1]), 1e-12);
+    EXPECT_LT(*range->low, *range->high);
+  };
+  expect_range(entering, all.entering.size(), spread.share);
+  expect_range(stopping, all.stopping().size(), spread.stopping);
+  const AskedRun asked(run.model, std::make_unique<SimulatedPaths>(run.paths));
+  const auto json = asked.area(basis, area, {}).json.at("ensembles");
+  for (const char* key : {"share", "stopping", "ke_translational_J", "ke_total_J", "height_m", "velocity_m_s"})
+    EXPECT_EQ(json.at(key).size(), 3u) << key;
+  EXPECT_FALSE(json.contains("needs_energy_J"));
 }
 
 TEST(EnsembleSpread, IsInTheAnswerOfALine) {

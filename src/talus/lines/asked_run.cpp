@@ -59,6 +59,8 @@ RunAnswer AskedRun::area(const project::DesignBasis& basis, const AskedArea& are
   const AreaAnswer answer = ask_area(model_, basis, *paths_, area);
   RunAnswer all{head(), {}, warnings_};
   all.json.update(area_json(model_, area, answer, sources_, options));
+  all.json["ensembles"] = nullptr;
+  if (!model_.ensembles.empty()) all.json["ensembles"] = spread_json(ensemble_spread(model_, paths_->rocks(), answer));
   for (const RockInside& rock : answer.entering) all.rocks.push_back(rock.rock);
   return all;
 }

@@ -5,7 +5,7 @@ import type { AskedAnswer } from '../api/line';
 import type { Summary } from '../api/results';
 import type { Point2 } from '../api/types';
 import { pointsOf } from '../askLine/askTools';
-import type { Asked } from '../askLine/shape';
+import { placeName, type Asked } from '../askLine/shape';
 import { percentText } from '../askLine/kit';
 import { sourcePlaces, sourceText } from '../askLine/sources';
 import { file } from '../project/document';
@@ -18,7 +18,6 @@ import { projectTitle, titleBlock, titleBlockFacts } from '../view/sheet';
 import { cardsOf } from './cards';
 import type { Doubt } from './doubts';
 import { OneCard } from './OneCard';
-import { placeName } from './whichPlace';
 import { firstOf } from './firstOf';
 import { PrintedInputs } from './PrintedInputs';
 import { PrintedMoves } from './PrintedMoves';
@@ -90,7 +89,7 @@ function Signatures() {
 
 /// What stands below the cards: how far each row of theirs goes.
 function rowsText(of: AskedAnswer, ranges: Ranges): string[] {
-  const spread = of.kind === 'polygon' ? null : of.ensembles;
+  const spread = of.ensembles;
   const answer = ranges.job?.answer;
   const part = answer && (answer.rocks < answer.planned ? `a fair sample of ${answer.rocks.toLocaleString('en')} of ${counted(answer.planned, 'rock')}` : `the same ${counted(answer.rocks, 'rock')}`);
   const ground = ranges.job?.question.material;

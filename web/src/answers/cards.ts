@@ -1,7 +1,7 @@
 // The four answers of the page as texts: each figure with its interval of sampling, and its ranges over inputs and over
 // rock models.
 
-import type { AskedAnswer, EnsembleSpread, Interval, LineAnswer, LineQuantity } from '../api/line';
+import type { AskedAnswer, EnsembleRange, Interval, LineAnswer, LineQuantity } from '../api/line';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { intervalText, percentText } from '../askLine/kit';
 import { inputsOf, modelsOf, rangeOver, valueOf, type Range, type SpreadFigure } from '../askLine/spread';
@@ -74,18 +74,20 @@ function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number |
   };
 }
 
+type EnsembleFigure = SpreadFigure & ('share' | LineQuantity | 'needs_energy_J' | 'needs_height_m');
 /// Of a run whose parameters are uncertain, its own ensembles tell more of the inputs than steps do.
-function overEnsembles(of: AskedAnswer, by: keyof EnsembleSpread & SpreadFigure, scale: Scale): Pick<CardFigure, 'inputs' | 'inputsWhy'> | null {
-  if (of.kind === 'polygon' || !of.ensembles) return null;
-  const { [by]: range, ensembles, crossing, confidence } = of.ensembles;
-  const ofWhich = crossing < ensembles && by !== 'share' ? `${crossing} ensembles with rocks that cross, of ${ensembles}` : `${ensembles} ensembles`;
+function overEnsembles(of: AskedAnswer, by: EnsembleFigure, scale: Scale): Pick<CardFigure, 'inputs' | 'inputsWhy'> | null {
+  if (!of.ensembles) return null;
+  const { ensembles, crossing, confidence } = of.ensembles;
+  const range = (of.ensembles as Partial<Record<EnsembleFigure, EnsembleRange | null>>)[by];
+  const ofWhich = crossing < ensembles && by !== 'share' ? `${crossing} ensembles with rocks that ${of.kind === 'polygon' ? 'enter' : 'cross'}, of ${ensembles}` : `${ensembles} ensembles`;
   return {
     inputs: range ? scale.range(range[1], range[2]) : 'too few ensembles',
     inputsWhy: `${percentText(confidence)} of the run's ${ofWhich}, each with its own parameters and its own rocks, whose chance is in it`,
   };
 }
 
-function figureOf(name: string, value: Interval | null, scale: Scale, of: AskedAnswer, whatIf: WhatIfAnswer | null, by: keyof EnsembleSpread & SpreadFigure): CardFigure {
+function figureOf(name: string, value: Interval | null, scale: Scale, of: AskedAnswer, whatIf: WhatIfAnswer | null, by: EnsembleFigure): CardFigure {
   return {
     name,
     value: value ? scale.text(value[0]) : 'none',

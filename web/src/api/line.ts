@@ -14,11 +14,8 @@ export interface Share {
 
 /// A value of all rocks, and the range in which most ensembles are.
 export type EnsembleRange = [number, number, number];
-/// Of a run with uncertain parameters. Null: rocks of too few ensembles cross.
-export type EnsembleSpread = { ensembles: number; crossing: number; confidence: number } & Record<
-  'share' | LineQuantity | 'needs_energy_J' | 'needs_height_m',
-  EnsembleRange | null
->;
+/// Of a run with uncertain parameters. Null: rocks of too few ensembles cross or enter.
+type EnsembleSpread<More extends string> = { ensembles: number; crossing: number; confidence: number } & Record<'share' | LineQuantity | More, EnsembleRange | null>;
 
 export type LineQuantity = 'ke_translational_J' | 'ke_total_J' | 'velocity_m_s' | 'height_m';
 export interface Needs {
@@ -103,7 +100,7 @@ export interface LineAnswer extends AnyAnswer {
   kit: { text: string } | null;
   card: CardTexts;
   /// Null: all rocks have the same parameters.
-  ensembles: EnsembleSpread | null;
+  ensembles: EnsembleSpread<'needs_energy_J' | 'needs_height_m'> | null;
 }
 export interface PolygonAnswer extends AnyAnswer {
   kind: 'polygon';
@@ -115,6 +112,7 @@ export interface PolygonAnswer extends AnyAnswer {
   stopping: { rocks: number; share: Share | null };
   percentiles: LineFigures['percentiles'];
   maxima: LineFigures['maxima'];
+  ensembles: EnsembleSpread<'stopping'> | null;
 }
 export type AskedAnswer = LineAnswer | PolygonAnswer;
 
