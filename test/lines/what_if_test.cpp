@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -20,6 +21,7 @@
 #include "talus/lines/varied_models.hpp"
 #include "talus/lines/what_if_output.hpp"
 #include "talus/model/model.hpp"
+#include "talus/project/words.hpp"
 #include "talus/store/rock_choice.hpp"
 
 namespace talus::what_if {
@@ -147,6 +149,10 @@ TEST(WhatIf, HasTheFiguresOfEachRockModel) {
       const Figures& by_run = other.what_if->answer(0).base;
       expect_same(answer.variations[k].figures, by_run);
       EXPECT_EQ(answer.variations[k].figures.runout, by_run.runout);
+      const auto json = json_of(*asked.what_if, answer);
+      const nlohmann::ordered_json disagreement{{"model", project::word(*variation.model)}, {"figure", "runout_m"}};
+      const auto& all = json.at("models_disagree");
+      EXPECT_EQ(std::ranges::count(all, disagreement), are_apart(*answer.base.runout, *by_run.runout) ? 1 : 0);
     }
   }
 }

@@ -57,7 +57,7 @@ struct Figures {
 [[nodiscard]] std::optional<Estimate> estimate_of(const std::optional<RockShare>& share);
 
 /// Whether two figures differ by more than their intervals of sampling. Of few rocks an interval may lack an end: it
-/// then reaches to half or to twice the value. As on the page (web/src/answers/doubts.ts).
+/// then reaches to half or to twice the value.
 [[nodiscard]] bool are_apart(const Estimate& one, const Estimate& other);
 
 /// With a variation minus without, for the same rocks.

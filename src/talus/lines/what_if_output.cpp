@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "talus/archive/design_json.hpp"
+#include "talus/core/problems.hpp"
 #include "talus/project/words.hpp"
 
 namespace talus::what_if {
@@ -103,6 +104,34 @@ Json json_of(const Differences& differences, Asked energy) {
   return json;
 }
 
+std::optional<Estimate> or_zero(const std::optional<RockShare>& share) {
+  return share ? estimate_of(share) : Estimate{0, 0, 0};
+}
+
+/// By the names of the figures in an answer, those in which another model differs from the project's own by more than
+/// chance. A share of no rock is zero; other figures of no rock are not compared.
+Json disagreements_json(const WhatIf& what_if, const Answer& answer) {
+  Json list = Json::array();
+  for (std::size_t k = 0; k < answer.variations.size(); ++k) {
+    const Variation& variation = what_if.variations()[k];
+    if (!variation.model) continue;
+    const Figures& other = answer.variations[k].figures;
+    const auto compare = [&](std::string figure, const std::optional<Estimate>& own,
+                             const std::optional<Estimate>& its) {
+      if (own && its && are_apart(*own, *its))
+        list.push_back({{"model", project::word(*variation.model)}, {"figure", std::move(figure)}});
+    };
+    if (!std::holds_alternative<std::monostate>(what_if.place()))
+      compare("share", or_zero(answer.base.share), or_zero(other.share));
+    for (std::size_t q = 0; q < quantity_names.size(); ++q)
+      compare(fmt::format("{}{}", quantity_names[q].name, quantity_names[q].unit_in_name), answer.base.percentile[q],
+              other.percentile[q]);
+    compare("runout_m", answer.base.runout, other.runout);
+    compare("left", or_zero(answer.base.left), or_zero(other.left));
+  }
+  return list;
+}
+
 Json json_of(const Change& change) {
   return {{"path", {change.table, change.row, change.key}},
           {"name", change.name},
@@ -158,7 +187,8 @@ Json json_of(const WhatIf& what_if, const Answer& answer) {
             {"energy", what_if.takes_total_energy() ? "total" : "translational"},
             {"standard", what_if.standard().empty() ? Json() : Json(what_if.standard())},
             {"model", project::word(what_if.rock_model())},
-            {"base", json_of(answer.base, what_if.energy())}};
+            {"base", json_of(answer.base, what_if.energy())},
+            {std::string(word(ProblemKind::models_disagree)), disagreements_json(what_if, answer)}};
   Json& list = json["variations"] = Json::array();
   for (std::size_t k = 0; k < answer.variations.size(); ++k) {
     const Variation& variation = what_if.variations()[k];

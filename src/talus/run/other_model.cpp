@@ -117,7 +117,8 @@ void warn_of_other_model(const ModelComparison& found, Problems& warnings) {
                                      "for one model alone needs a reason",
                                      found.rocks),
                   .hint = "Choose by observed rocks (docs/calibration.md), or use the worse of both",
-                  .path = "analysis.model"});
+                  .path = "analysis.model",
+                  .kind = ProblemKind::models_disagree});
   };
   compare("the runout on plan", found.own.runout, found.by_other.runout);
   compare("the greatest height of the block's top over the ground", found.own.top, found.by_other.top);

@@ -1,11 +1,11 @@
 import { expect, test } from 'vitest';
-import type { Interval, LineAnswer } from '../api/line';
+import type { AskedAnswer, Interval, LineAnswer } from '../api/line';
 import type { Summary } from '../api/results';
 import type { Figures, Variation, WhatIfAnswer } from '../api/whatIf';
 import { placeLabel, placeName } from '../askLine/shape';
 import { inputsOf, modelsOf, rangeOver } from '../askLine/spread';
 import { cardsOf } from './cards';
-import { areApart, doubtsOf } from './doubts';
+import { doubtsOf } from './doubts';
 import { firstOf } from './firstOf';
 import { shouldBegin, type Situation } from './jobStep';
 import { middleEnd, middleEnds, spreadOf } from './middleEnd';
@@ -46,6 +46,10 @@ const whatIf = (variations: Variation[]): WhatIfAnswer => ({
   standard: 'UNI 11211-4',
   model: 'lumped_mass',
   base: figures(0.1, 0.7),
+  models_disagree: [
+    { model: 'rigid_sphere', figure: 'height_m' },
+    { model: 'rigid_body', figure: 'share' },
+  ],
   variations,
 });
 const varied = whatIf([
@@ -84,6 +88,13 @@ test('a range is over the own values and those of the sets, and knows which give
   expect(rangeOver(varied.base, [], 'share')).toBeNull();
 });
 
+test('so do they for an area', () => {
+  const area = { kind: 'polygon', run: { rocks: 1000, stored: 1000 }, entering: { rocks: 100, share: { value: 0.1, low: 0.08, high: 0.12 } }, percentiles: { ke_total_J: { 95: [9e4, 8e4, 1e5] } }, problems: [], ensembles: { ensembles: 10, crossing: 8, confidence: 0.9, share: [0.1, 0.02, 0.3], stopping: [0, 0, 0], height_m: null, ke_translational_J: null, ke_total_J: [9e4, 4e4, 2e5], velocity_m_s: null } } as unknown as AskedAnswer;
+  const [share, energy] = cardsOf(area, varied, 'the asked area');
+  expect(share).toMatchObject({ title: 'Enters the asked area', figures: [{ inputs: '2 to 30 %' }] });
+  expect(energy!.figures[1]).toMatchObject({ inputs: '40 to 200 kJ', inputsWhy: expect.stringContaining('8 ensembles with rocks that enter, of 10') });
+});
+
 test('four cards, each with sampling, inputs and models', () => {
   const [share, energy, height, fence] = cardsOf(line(0.7), varied, 'Road');
   expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: '0 to 17.9 %', models: '0 to 12 % (shape 0 %)' }] });
@@ -112,13 +123,6 @@ test('ensembles of the run take the place of steps of its inputs', () => {
   expect(fence!.figures.map(({ inputs }) => inputs)).toEqual(['50 to 300 kJ', '1.1 to 2 m']);
 });
 
-test('models disagree if their intervals are apart; without an upper end, by more than twice', () => {
-  expect(areApart([1, 0.9, 1.1], [1.3, 1.2, 1.4])).toBe(true);
-  expect(areApart([1, 0.9, 1.25], [1.3, 1.2, 1.4])).toBe(false);
-  expect(areApart([1, 0.9, null], [1.5, 1.4, null])).toBe(false);
-  expect(areApart([1, 0.9, null], [4, 3.5, null])).toBe(true);
-});
-
 const known = { answer: null, whatIf: null, summary: null, isOutdated: false };
 test('doubts, the most serious first', () => {
   const summary = { notes: ['120 of 1,000 rocks left the model: runout is cut'], warnings: ['a.toml:3: warning: no seed'], end_reasons: {} } as unknown as Summary;
@@ -129,6 +133,11 @@ test('doubts, the most serious first', () => {
   expect(found[1]!.text).toBe('Rock models disagree by more than chance: the 95 % height is 0.4 m with lumped mass (this run) and 4.7 m with sphere; the share that passes is 10 % with lumped mass (this run) and 0 % with shape.');
   expect(found[2]!.text).toContain('less than the diameter of the largest block that crosses, 0.5 m');
   expect(found[5]!.text).toBe('No seed');
+});
+test('models that agree by the engine give no doubt, and a warning of the run about them is of that kind', () => {
+  const summary = { warnings: ['warning: [analysis]: model = "rigid_sphere" gives another runout'], warning_kinds: [{ warning: 0, kind: 'models_disagree', where: '[analysis]' }], end_reasons: {} } as unknown as Summary;
+  const found = doubtsOf({ ...known, whatIf: { ...varied, models_disagree: [] }, summary });
+  expect(found.map(({ kind, text }) => [kind, text])).toEqual([['models', '[analysis]: model = "rigid_sphere" gives another runout']]);
 });
 test('a warning of the run is left out where the answer has one of the same kind about the same thing', () => {
   const summary = {
@@ -147,7 +156,7 @@ test('a warning of the run is left out where the answer has one of the same kind
   expect(texts(null)).toHaveLength(4);
 });
 test('no doubt where models agree, heights are above the block and nothing was warned of', () => {
-  expect(doubtsOf({ ...known, answer: line(0.7), whatIf: whatIf([set('model', null, figures(0.11, 0.8), 'rigid_sphere')]) })).toEqual([]);
+  expect(doubtsOf({ ...known, answer: line(0.7), whatIf: { ...whatIf([set('model', null, figures(0.11, 0.8), 'rigid_sphere')]), models_disagree: [] } })).toEqual([]);
   expect(doubtsOf({ ...known, answer: line(0.01, 0) })[0]!.text).toContain('next to nothing');
 });
 

@@ -26,12 +26,6 @@ export interface Known {
   isOutdated: boolean;
 }
 
-/// An interval without an upper end, because of few rocks, ends at twice the value here.
-const upper = ([value, , high]: Interval) => high ?? 2 * value;
-const lower = ([value, low]: Interval) => low ?? value / 2;
-/// Whether two figures differ by more than their intervals of sampling.
-export const areApart = (a: Interval, b: Interval): boolean => lower(a) > upper(b) || lower(b) > upper(a);
-
 /// What a fence needs, and what passes.
 const compared: readonly (readonly IntervalFigure[])[] = [['height_m', 'ke_translational_J', 'ke_total_J'], ['share']];
 const zero: Interval = [0, 0, 0];
@@ -57,11 +51,12 @@ interface Disagreement {
 
 /// The figure, of some, in which another model differs most from the project's own; null: none differs by more than its
 /// intervals.
-function worstOf(figures: readonly IntervalFigure[], { base, ...answer }: WhatIfAnswer, shown: (by: IntervalFigure) => number | null): Disagreement | null {
+function worstOf(figures: readonly IntervalFigure[], { base, models_disagree: apart, ...answer }: WhatIfAnswer, shown: (by: IntervalFigure) => number | null): Disagreement | null {
+  const isApart = ({ model }: Variation, by: IntervalFigure) => apart.some((each) => each.model === model && each.figure === by);
   const found = modelsOf(answer).flatMap((model) =>
     figures.flatMap((by): Disagreement[] => {
       const [own, other] = by === 'share' ? [base.share ?? zero, model.share ?? zero] : [base[by], model[by]];
-      if (!own || !other || !areApart(own, other)) return [];
+      if (!own || !other || !isApart(model, by)) return [];
       const [small, large] = [Math.min(own[0], other[0]), Math.max(own[0], other[0])];
       return [{ by, own: shown(by) ?? own[0], other: other[0], model, factor: small > 0 ? large / small : Infinity }];
     }),
@@ -94,6 +89,7 @@ const kinds: Partial<Record<string, DoubtKind>> = {
   mostly_on_ground: 'ground',
   height_below_block: 'height',
   kit_below_block: 'height',
+  models_disagree: 'models',
 } satisfies Partial<Record<ProblemKind, DoubtKind>>;
 const problemDoubt = (kind: DoubtKind, { what, why, hint, text }: Problem): Doubt => ({
   kind,
@@ -140,17 +136,20 @@ export function doubtsOf({ answer, whatIf, summary, isOutdated }: Known): Doubt[
   const own = answer && answer.kind !== 'polygon' && ofHeight.length === 0 ? heightDoubt(answer) : null;
   const notes = (summary?.notes ?? []).map((note): Doubt => ({ kind: 'left', text: `${capital(note)}.`, advice: 'Extend the terrain, unless it ends behind what is protected.' }));
   const warnings = warningsOf(summary, problems);
-  const isOfGround = ({ kind }: Warning) => kinds[kind] === 'ground';
-  const ofRun = (kind: DoubtKind, of: readonly Warning[]) => of.map(({ text }): Doubt => ({ kind, text, advice: '' }));
+  // One about the height at another place is not about this answer.
+  const kindOf = ({ kind }: Warning): DoubtKind => (kinds[kind] === 'ground' || kinds[kind] === 'models' ? kinds[kind] : 'run');
+  const ofRun = (kind: DoubtKind) => warnings.filter((each) => kindOf(each) === kind).map(({ text }): Doubt => ({ kind, text, advice: '' }));
+  const ofModels = whatIf && modelDoubt(whatIf, answer);
   return [
     ...(isOutdated ? [{ kind: 'outdated', text: 'These answers are of an earlier version of the project.', advice: 'Compute again.' } as const] : []),
-    ...(whatIf ? [modelDoubt(whatIf, answer) ?? []].flat() : []),
+    ...(ofModels ? [ofModels] : []),
+    ...ofRun('models'),
     ...ofHeight,
     ...(own ? [own] : []),
     ...of('ground'),
-    ...ofRun('ground', warnings.filter(isOfGround)),
+    ...ofRun('ground'),
     ...notes,
     ...of('place'),
-    ...ofRun('run', warnings.filter((each) => !isOfGround(each))),
+    ...ofRun('run'),
   ];
 }

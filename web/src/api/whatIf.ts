@@ -50,6 +50,8 @@ export interface WhatIfAnswer {
   /// The project's own.
   model: string;
   base: Figures;
+  /// In which figures another model differs from the project's own by more than chance.
+  models_disagree: { model: string; figure: string }[];
   variations: Variation[];
 }
 export interface WhatIfFactor {
