@@ -19,6 +19,7 @@
 #include "talus/archive/design_json.hpp"
 #include "talus/campaign/thread_supply.hpp"
 #include "talus/files/output_file.hpp"
+#include "talus/lines/line_json.hpp"
 #include "talus/lines/side_view.hpp"
 #include "talus/lines/what_if_output.hpp"
 #include "talus/model/rock_models.hpp"
@@ -111,8 +112,10 @@ std::vector<FigureText> figures_of(const what_if::WhatIf& asked) {
 }
 
 /// The figures as rows, the models as columns: names of shapes are longer than numbers.
-void print_table(const std::vector<Row>& rows, const std::vector<FigureText>& figures, double confidence) {
-  std::size_t widest = 0;
+void print_table(const std::vector<Row>& rows, const std::vector<FigureText>& figures, const what_if::WhatIf& asked) {
+  const bool is_line = std::holds_alternative<AskedLine>(asked.place());
+  const std::string fence = asked.standard().empty() ? "fence needed, no factors" : "fence by " + asked.standard();
+  std::size_t widest = is_line ? fence.size() : 0;
   for (const FigureText& figure : figures) widest = std::max(widest, figure.title.size());
   constexpr std::size_t column = 34;
   const auto line = [&](std::string_view title, const auto& text_of) {
@@ -124,7 +127,9 @@ void print_table(const std::vector<Row>& rows, const std::vector<FigureText>& fi
   for (const FigureText& figure : figures)
     line(figure.title,
          [&](const Row& row) { return estimate_text(figure.of(*row.figures), figure.unit, figure.unit_name); });
-  fmt::print("in brackets: intervals of sampling alone, confidence {:g} %\n", 100 * confidence);
+  if (is_line)
+    line(fence, [](const Row& row) { return row.figures->demand ? demand_text(row.figures->demand) : "none crosses"; });
+  fmt::print("in brackets: intervals of sampling alone, confidence {:g} %\n", 100 * asked.confidence());
 }
 
 /// The figures in which the least and the greatest of the models are apart by more than their intervals.
@@ -199,7 +204,7 @@ int compare(const CompareOptions& options) {
   const std::vector<FigureText> figures = figures_of(asked);
   fmt::print("{} of {} rocks with each model, the same in all{}\n", grouped(answer.rocks), grouped(answer.planned),
              name.empty() ? "" : fmt::format("; at {}", name));
-  print_table(rows, figures, asked.confidence());
+  print_table(rows, figures, asked);
   const std::vector<std::string> apart = disagreements(rows, figures);
   if (!apart.empty()) fmt::print("the models differ by more than chance:\n");
   for (const std::string& text : apart) fmt::print("  {}\n", text);

@@ -80,6 +80,33 @@ void print_run(const Json& run) {
                grouped(rocks));
 }
 
+/// The range between the ensembles of the run, if it has any.
+void print_ensembles(const Json& answer) {
+  const Json& spread = answer.at("ensembles");
+  if (spread.is_null()) return;
+  fmt::print("{:g} % of the {} ensembles of parameters are within:\n", 100 * spread.at("confidence").get<double>(),
+             spread.at("ensembles").get<std::uint64_t>());
+  const auto range = [&](const char* key, const char* title, double unit, const char* name) {
+    if (!spread.contains(key)) return;
+    const Json& ends = spread.at(key);
+    if (ends.is_null()) {
+      fmt::print("  {:<22}unknown, too few ensembles\n", title);
+    } else {
+      fmt::print("  {:<22}{} to {} {}\n", title, three_digits(ends[1].get<double>() / unit),
+                 three_digits(ends[2].get<double>() / unit), name);
+    }
+  };
+  const bool is_area = answer.at("kind") == "polygon";
+  range("share", is_area ? "enter" : "cross", 0.01, "%");
+  range("stopping", "stop in it", 0.01, "%");
+  range("ke_translational_J", "translational energy", 1000, "kJ");
+  range("ke_total_J", "total energy", 1000, "kJ");
+  range("height_m", "height", 1, "m");
+  range("velocity_m_s", "velocity", 1, "m/s");
+  range("needs_energy_J", "energy of the fence", 1000, "kJ");
+  range("needs_height_m", "height of the fence", 1, "m");
+}
+
 void print_line(const Json& answer, const StoredSources& places, const Model& model) {
   const Json &whole = answer.at("whole"), &card = answer.at("card");
   const auto crossing = whole.at("rocks").get<std::uint64_t>();
@@ -103,6 +130,7 @@ void print_line(const Json& answer, const StoredSources& places, const Model& mo
     if (!cautious.empty()) fmt::print("  by the upper ends of the intervals: {}\n", cautious);
   }
   if (!answer.at("kit").is_null()) fmt::print("{}\n", answer.at("kit").at("text").get<std::string>());
+  print_ensembles(answer);
   if (const auto text = answer.at("enough").at("text").get<std::string>(); !text.empty()) fmt::print("{}\n", text);
 
   const std::string percentile = fmt::format("{}", answer.at("design_percentile").get<double>());
@@ -150,6 +178,7 @@ void print_area(const Json& answer, const StoredSources& places, const Model& mo
                three_digits(maxima.at("height_m").get<double>()),
                three_digits(maxima.at("velocity_m_s").get<double>()));
   }
+  print_ensembles(answer);
   if (const auto text = answer.at("enough").at("text").get<std::string>(); !text.empty()) fmt::print("{}\n", text);
   print_sources(answer.at("sources"), places, model);
 }

@@ -12,7 +12,7 @@ In ten lines::
 
 from . import distributions as _distributions, flight, impact, plots, settings as _settings
 from ._talus import __version__
-from .answers import DitchAnswer, Kit, KitAnswer, LineAnswer, PolygonAnswer
+from .answers import DitchAnswer, Ensembles, Kit, KitAnswer, LineAnswer, PolygonAnswer
 from .comparison import Comparison, Difference, compare
 from .distributions import *
 from .estimates import Estimate
@@ -31,9 +31,10 @@ from .variations import Figures, Variation, WhatIf, what_if
 
 __all__ = [
     "__version__", "flight", "impact", "plots", "BadInput", "Calibration", "Column", "Comparison", "Difference",
-    "DitchAnswer", "Estimate", "Figures", "Interrupted", "Kit", "KitAnswer", "LineAnswer", "Map", "MapClass", "Model",
-    "PolygonAnswer", "Problem", "Project", "Results", "Sensitivity", "Surface", "Trajectory", "Variation", "WhatIf",
-    "calibrate", "columns", "compare", "follow", "open_results", "prepare", "run", "schema", "sensitivity", "what_if",
+    "DitchAnswer", "Ensembles", "Estimate", "Figures", "Interrupted", "Kit", "KitAnswer", "LineAnswer", "Map",
+    "MapClass", "Model", "PolygonAnswer", "Problem", "Project", "Results", "Sensitivity", "Surface", "Trajectory",
+    "Variation", "WhatIf", "calibrate", "columns", "compare", "follow", "open_results", "prepare", "run", "schema",
+    "sensitivity", "what_if",
 ]
 __all__ += _distributions.__all__
 __all__ += _settings.__all__

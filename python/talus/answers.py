@@ -15,7 +15,7 @@ from .problems import Problem
 if TYPE_CHECKING:
     import pandas
 
-__all__ = ["DitchAnswer", "Kit", "KitAnswer", "LineAnswer", "PolygonAnswer"]
+__all__ = ["DitchAnswer", "Ensembles", "Kit", "KitAnswer", "LineAnswer", "PolygonAnswer"]
 
 _quantities = (("energy", "kJ", 1000), ("height", "m", 1), ("velocity", "m_s", 1))
 
@@ -44,6 +44,41 @@ class KitAnswer(NamedTuple):
     """Rocks that cross above it."""
     through: int
     """Rocks that are low enough, but have too much energy."""
+
+
+class Ensembles(NamedTuple):
+    """How far the figures differ between the ensembles of a run with uncertain parameters: of each the value of all rocks,
+    and the range in which most ensembles are. It contains the chance of their rocks. NaN: too few ensembles."""
+
+    ensembles: int
+    """Ensembles with rocks that were asked."""
+    crossing: int
+    """Of these, with rocks that cross or enter."""
+    confidence: float
+    """The share of the ensembles that is in the ranges."""
+    share: Estimate
+    """Of the rocks that cross or enter."""
+    stopping_share: Estimate
+    """Of the rocks that stop in a polygon."""
+    energy_translational_kJ: Estimate
+    energy_total_kJ: Estimate
+    height_m: Estimate
+    velocity_m_s: Estimate
+    needs_energy_kJ: Estimate
+    """Of the fence that the check asks for at a line."""
+    needs_height_m: Estimate
+
+    @classmethod
+    def _of(cls, given: dict[str, Any] | None) -> Ensembles | None:
+        if given is None:
+            return None
+
+        def of(key: str, unit: float = 1) -> Estimate:
+            return Estimate._of(given.get(key), unit)
+
+        return cls(given["ensembles"], given["crossing"], given["confidence"], of("share"), of("stopping"),
+                   of("ke_translational_J", 1000), of("ke_total_J", 1000), of("height_m"), of("velocity_m_s"),
+                   of("needs_energy_J", 1000), of("needs_height_m"))
 
 
 class _Answer:
@@ -183,6 +218,11 @@ class LineAnswer(_Answer):
                                    Estimate._of_share(found["share"]), found["above"], found["through"])
 
     @property
+    def ensembles(self) -> Ensembles | None:
+        """The range between the ensembles of the run; None: all rocks have the same parameters."""
+        return Ensembles._of(self.json["ensembles"])
+
+    @property
     def rocks_needed(self) -> int | None:
         """How many rocks would bring every interval within 10 % of its value; None: unknown."""
         return self.json["enough"]["rocks"]
@@ -266,6 +306,11 @@ class PolygonAnswer(_Answer):
     def stopping_share(self) -> Estimate:
         """Of the rocks asked."""
         return Estimate._of_share(self.json["stopping"]["share"])
+
+    @property
+    def ensembles(self) -> Ensembles | None:
+        """The range between the ensembles of the run; None: all rocks have the same parameters."""
+        return Ensembles._of(self.json["ensembles"])
 
     def percentile(self, quantity: str, percentile: float) -> Estimate:
         """Of the maxima of the rocks inside: of ``"ke_total_J"``, ``"ke_translational_J"``, ``"velocity_m_s"`` or

@@ -76,9 +76,20 @@ def test_the_figures_of_a_line(volcano):
     assert answer.kit.stopped + answer.kit.above + answer.kit.through == answer.crossing
     sources = answer.sources
     assert sources["crossing"].sum() == answer.crossing and (sources["clearing"] <= sources["crossing"]).all()
-    assert "rocks cross" in repr(answer) and "<table>" in answer._repr_html_()
+    assert answer.ensembles is None and "rocks cross" in repr(answer) and "<table>" in answer._repr_html_()
     other = volcano.line(LINE, design={"standard": "none", "design_percentile": 50})
     assert (other.percentile, other.standard) == (50, "") and other.energy_kJ.value < answer.energy_kJ.value
+
+
+def test_ensembles_have_a_range(slope, tmp_path):
+    sets = tmp_path / "sets.csv"
+    sets.write_text("\n".join(["material.*.tangential_restitution.mean", *(f"{0.6 + 0.03 * k:.2f}" for k in range(10))]))
+    results = talus.run(slope, sampling={"parameters": str(sets), "ensembles": 10})
+    found = results.line([[15, 0]]).ensembles
+    assert (found.ensembles, found.confidence) == (10, 0.9) and found.crossing <= 10
+    for each in (found.share, found.energy_total_kJ, found.height_m, found.needs_energy_kJ):
+        assert each.low <= each.value <= each.high
+    assert math.isnan(found.stopping_share.value)
 
 
 def test_a_line_that_no_rock_crosses(volcano):

@@ -140,13 +140,8 @@ Json card_json(const LineAnswer& answer) {
     card[shown.key] = estimate ? fmt::format("{} {}", three_digits(estimate->value / shown.unit), shown.name) : "";
     card[fmt::format("{}_interval", shown.key)] = estimate ? interval_text(*estimate, shown.unit, shown.name) : "";
   }
-  const auto kit_text = [](const std::optional<KitDemand>& demand) {
-    if (!demand) return std::string();
-    return fmt::format("class {}: {} kJ, {} m", demand->kit_class, three_digits(demand->maximum_energy / 1000),
-                       three_digits(demand->height));
-  };
-  card["needs"] = kit_text(answer.result.whole.demand);
-  card["needs_at_upper_end"] = kit_text(answer.result.whole.demand_at_upper_end);
+  card["needs"] = demand_text(answer.result.whole.demand);
+  card["needs_at_upper_end"] = demand_text(answer.result.whole.demand_at_upper_end);
   return card;
 }
 
@@ -169,6 +164,12 @@ std::string three_digits(double value) {
   if (size >= 99.95) return fmt::format("{:.0f}", value);
   if (size >= 9.995) return fmt::format("{:.1f}", value);
   return fmt::format("{:.2f}", value);
+}
+
+std::string demand_text(const std::optional<KitDemand>& demand) {
+  if (!demand) return {};
+  return fmt::format("class {}: {} kJ, {} m", demand->kit_class, three_digits(demand->maximum_energy / 1000),
+                     three_digits(demand->height));
 }
 
 Json places_json(const Model& model, const std::vector<Vec3>& places) {

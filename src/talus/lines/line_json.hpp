@@ -42,5 +42,7 @@ struct AnswerOptions {
 
 /// A number with three digits, as a card shows it: 0.42, 3.41, 18.2, 1,240.
 [[nodiscard]] std::string three_digits(double value);
+/// "class 2: 279 kJ, 5.57 m"; empty without a demand.
+[[nodiscard]] std::string demand_text(const std::optional<KitDemand>& demand);
 
 }  // namespace talus
