@@ -5,7 +5,7 @@
 # part.
 
 # The kinds of pages; each has its entry in web/src/report.
-set(TALUS_REPORT_PAGES report sensitivity models)
+set(TALUS_REPORT_PAGES report sensitivity models calibration validation)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(code "// Made by cmake/embed.cmake; do not edit.\n")
@@ -57,7 +57,7 @@ function(talus_bundle_report folder)
     set(esbuild ${CMAKE_COMMAND} -E env NODE_PATH=${D3_MODULES} ${ESBUILD})
   endif()
   file(GLOB sources CONFIGURE_DEPENDS ${web}/src/report/*.ts ${web}/src/archive/*.ts ${web}/src/figures/*.ts
-    ${web}/src/generated/*.ts ${web}/src/geometry/*.ts ${web}/src/settings/conditions.ts ${web}/src/units/*.ts)
+    ${web}/src/generated/*.ts ${web}/src/geometry/*.ts ${web}/src/settings/*.ts ${web}/src/units/*.ts)
   list(TRANSFORM TALUS_REPORT_PAGES REPLACE "(.+)" "${web}/src/report/\\1.ts" OUTPUT_VARIABLE entries)
   list(TRANSFORM TALUS_REPORT_PAGES REPLACE "(.+)" "${folder}/\\1.js" OUTPUT_VARIABLE bundles)
   add_custom_command(

@@ -77,7 +77,9 @@ async function pictureOfRegion(browser, folder) {
 async function pictureOfCalibration(browser, folder) {
   execFileSync(program, ['calibrate', join(sources, 'examples/calibration/study.toml'), '--quiet', '-o', join(folder, 'ground')], { stdio: 'ignore' });
   // Two parameters, and how far rocks run.
-  const style = 'body { max-width: none } body > * { display: none } figure:nth-of-type(1), figure:nth-of-type(2), figure:has(.observed) { display: inline-block; vertical-align: bottom }';
+  const style = `${plain} #main > * { display: none } #parameters, #predictions { display: contents !important } :is(#parameters, #predictions) > :not(.columns) { display: none }
+    .columns { display: contents !important } #main { display: grid; grid-template-columns: repeat(3, 1fr); gap: 24px } body { max-width: none }
+    #parameters figure:nth-of-type(n + 3) { display: none }`;
   await pictureOfPage(browser, join(folder, 'ground/report.html'), { part: 'figure:visible', style, width: 1260, name: 'gallery-calibration.png' });
 }
 
@@ -156,17 +158,7 @@ const picturesOfExamples = (browser, folder) =>
 /// The predictions of half A of the meadow at Tschamut by the first model.
 async function pictureOfValidation(browser, folder) {
   execFileSync(program, ['validate', 'tschamut2014', '--quiet', '-o', folder], { stdio: 'ignore' });
-  const page = await browser.newPage({ viewport: { width: 1140, height: 900 } });
-  await page.goto(`file://${folder}/tschamut2014/report.html`);
-  const first = await page.locator('figure').nth(0).boundingBox();
-  const second = await page.locator('figure').nth(1).boundingBox();
-  const clip = {
-    x: first.x - 8,
-    y: first.y - 8,
-    width: second.x + second.width - first.x + 16,
-    height: Math.max(first.height, second.height) + 16,
-  };
-  await page.screenshot({ path: join(sources, 'docs/validation.png'), clip, fullPage: true });
+  await pictureOfPage(browser, join(folder, 'tschamut2014/report.html'), { part: '.columns >> nth=0 >> figure:not(figure ~ figure ~ figure)', style: plain, name: 'validation.png' });
 }
 
 /// The first sheet of a run over terrain, as printed on A3.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "calibration/slope.hpp"
+#include "support/browser.hpp"
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
 #include "talus/calibration/best_set.hpp"
@@ -240,6 +241,22 @@ TEST_F(Calibrations, WriteTheBestFitAsAProjectInItsPlace) {
 
 // The noise is that of a logarithm by the chance of so many rocks: another seed gives nearly the same, and four times
 // the rocks give half.
+TEST_F(Calibrations, DrawTheirReport) {
+  if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
+  observe(30, 0.7, 6, 14);
+  std::filesystem::create_directories(path("terrain"));
+  static_cast<void>(calibrate_into(path("out"), prepared(), {}));
+  EXPECT_EQ(testing_tools::said_in_page(path("out/report.html"), R"(
+    const main = document.getElementById('main');
+    const titles = [...main.querySelectorAll('figure h4')].map((each) => each.textContent).join('; ');
+    const isDrawn = [...main.querySelectorAll('figure svg')].every((svg) => svg.querySelector('.axis'));
+    const dots = main.querySelectorAll('#pairs circle').length > 10;
+    return [titles, isDrawn, dots, /NaN|undefined/.test(main.innerHTML)].join('; ');
+  )"),
+            "Tangential restitution, Scree; Roughness, Scree; Tangential restitution, Scree and roughness, Scree; "
+            "Runout, stops; true; true; false");
+}
+
 TEST_F(Calibrations, MeasureTheChanceOfTheirLikelihoods) {
   observe(30, 0.7, 6, 14);
   const auto noise = [&](int rocks, int seed) {

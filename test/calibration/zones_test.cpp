@@ -2,14 +2,17 @@
 
 #include "talus/calibration/zones.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
 #include "calibration/slope.hpp"
+#include "support/browser.hpp"
 #include "support/input_folder.hpp"
 #include "support/projects.hpp"
 #include "talus/calibration/result_files.hpp"
@@ -17,6 +20,10 @@
 namespace talus::calibration {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 using testing_tools::replaced;
 
 const std::string zone_slope =
@@ -104,11 +111,24 @@ TEST_F(Zones, RecoverAKnownParameter) {
   EXPECT_LT(high - low, 0.16);  // of 0.27; 0.154, since Rn falls with speed, which hides a part of what Rt does
   EXPECT_TRUE(agrees(result.sets[result.best]));
   EXPECT_EQ(result.misfit, 1);
-  std::ifstream in(path("out/report.html"));
-  std::ostringstream report;
-  report << in.rdbuf();
-  EXPECT_NE(report.str().find("The observation counts as"), std::string::npos);
-  EXPECT_EQ(report.str().find("nan"), std::string::npos);
+  const auto observed = nlohmann::json::parse(std::ifstream(path("out/summary.json"))).at("observations").at(0);
+  EXPECT_EQ(observed.at("deposits").at("unit"), "m3");
+  EXPECT_EQ(observed.at("deposits").at("independent_rocks"), effective_rocks(group.zones, group.sample));
+  double shares = 0;
+  for (const auto& zone : observed.at("zones")) {
+    shares += zone.at("observed_share").get<double>();
+    EXPECT_LT(zone.at("prior_share").at("p05"), zone.at("prior_share").at("p95")) << zone;
+  }
+  EXPECT_NEAR(shares, 1, 1e-12);
+  if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
+  EXPECT_THAT(testing_tools::said_in_page(path("out/report.html"), R"(
+    const main = document.getElementById('main');
+    const figure = [...main.querySelectorAll('figure')].at(-1);
+    const zones = [...figure.querySelectorAll('title')].map((each) => each.textContent).join(', ');
+    return [zones, figure.querySelectorAll('rect.bar').length, main.textContent].join('; ');
+  )"),
+              AllOf(StartsWith("slope, foot, meadow; 4; "), HasSubstr("The observation counts as "),
+                    Not(HasSubstr("NaN")), Not(HasSubstr("undefined"))));
 }
 
 TEST_F(Zones, CountAsFewerRocksWithErrors) {

@@ -4,10 +4,14 @@ file(REMOVE_RECURSE "${FOLDER}")
 foreach(part archive figures generated geometry report settings units)
   file(COPY "${WEB}/src/${part}" DESTINATION "${FOLDER}")  # away from node_modules
 endforeach()
+set(pages)
+foreach(page report sensitivity models calibration validation)
+  list(APPEND pages "${FOLDER}/report/${page}.ts")
+endforeach()
 set(without_npm "${CMAKE_COMMAND};-E;env;NODE_PATH=${D3_MODULES};${ESBUILD}")
 set(options "--bundle;--format=iife;--minify;--target=es2020;--log-level=warning")
 foreach(command
-    "${without_npm};${FOLDER}/report/report.ts;${FOLDER}/report/sensitivity.ts;${FOLDER}/report/models.ts;${options};--outdir=${FOLDER}"
+    "${without_npm};${pages};${options};--outdir=${FOLDER}"
     "${without_npm};${FOLDER}/figures/d3.ts;${options};--global-name=d3;--outfile=${FOLDER}/d3.js"
     "${WEB}/node_modules/.bin/esbuild;${WEB}/src/figures/d3.ts;${options};--global-name=d3;--outfile=${FOLDER}/npm.js"
     "node;${CMAKE_CURRENT_LIST_DIR}/same_exports.cjs;${FOLDER}/d3.js;${FOLDER}/npm.js")

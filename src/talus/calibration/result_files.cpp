@@ -4,16 +4,11 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
 
-#include "talus/calibration/coverage.hpp"
-#include "talus/calibration/doubts.hpp"
-#include "talus/calibration/mixture.hpp"
-#include "talus/calibration/result_figures.hpp"
+#include "talus/calibration/result_summary.hpp"
 #include "talus/calibration/saved_samples.hpp"
-#include "talus/calibration/zone_prediction.hpp"
 #include "talus/files/csv_text.hpp"
 #include "talus/files/folder_lock.hpp"
 #include "talus/files/output_file.hpp"
@@ -22,13 +17,12 @@
 #include "talus/project/document.hpp"
 #include "talus/project/echo.hpp"
 #include "talus/project/read.hpp"
+#include "talus/report/study_page.hpp"
 #include "talus/study/saved_sets.hpp"
 
 namespace talus::calibration {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A site's name as the name of a file.
 std::string file_name(const std::string& name) {
@@ -41,181 +35,6 @@ std::string file_name(const std::string& name) {
       '_');
   return (safe.starts_with('.') ? "_" + safe : safe) + ".toml";
 }
-
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-Json quantiles_of(const std::vector<double>& values, const std::vector<double>& weights) {
-  Json quantiles;
-  for (const auto& [name, q] : {std::pair{"p05", 0.05}, {"p25", 0.25}, {"p50", 0.5}, {"p75", 0.75}, {"p95", 0.95}}) {
-    quantiles[name] = weighted_quantile(values, weights, q);
-  }
-  return quantiles;
-}
-
-Json zones_of(const ObservedGroup& group, std::size_t g, const CalibrationResult& result,
-              const std::vector<double>& weights, std::uint64_t seed) {
-  Json zones = Json::array();
-  const Eigen::VectorXd observed = zone_shares(group.zones, group.sample);
-  const std::vector<PredictedShare> predicted = predicted_shares(group, g, result.sets, weights, seed);
-  for (std::size_t k = 0; k < predicted.size(); ++k) {
-    zones.push_back(
-        {{"name", group.zones.name_of(k)},
-         {"observed_share", observed[static_cast<Eigen::Index>(k)]},
-         {"predicted_share", {{"p05", predicted[k].p05}, {"p50", predicted[k].p50}, {"p95", predicted[k].p95}}}});
-  }
-  return zones;
-}
-
-Json histogram_json(std::size_t parameter, const PreparedStudy& study, const CalibrationResult& result) {
-  const ParameterHistogram bins = histogram_of(parameter, study, result);
-  return {{"edges", bins.edges}, {"prior", bins.prior}, {"posterior", bins.posterior}};
-}
-
-/// The settings of each site's project with the best set, as `--set` takes them.
-Json best_settings_json(const PreparedStudy& study, const CalibrationResult& result) {
-  Json sites = Json::object();
-  for (std::size_t site = 0; site < study.sites().size(); ++site) {
-    const study::PreparedSites::AtSite& here = study.prepared().at_site(site);
-    const project::Project with = study.sites()[site].with(here.numbers, here.values(result.sets[result.best].values));
-    Json settings = Json::array();
-    for (const project::SettingNumber& number : here.numbers) {
-      for (const std::string& setting : number.overrides(with)) settings.push_back(setting);
-    }
-    sites[study.study().sites[site].name] = std::move(settings);
-  }
-  return sites;
-}
-
-/// A row for each parameter, with the parameters before it.
-Json correlations_json(const PreparedStudy& study, const CalibrationResult& result) {
-  Json rows = Json::array();
-  for (std::size_t a = 0; a < study.parameters().size(); ++a) {
-    Json row = Json::array();
-    for (std::size_t b = 0; b < a; ++b) row.push_back(correlation_of(a, b, result));
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
-Json prediction_json(std::size_t group, std::size_t feature, const PreparedStudy& study,
-                     const CalibrationResult& result) {
-  const PredictedDistribution prediction = prediction_of(group, feature, study, result);
-  const auto band = [](const DistributionBand& of) {
-    return Json{{"low", of.low}, {"median", of.middle}, {"high", of.high}};
-  };
-  return {{"observed", prediction.observed},
-          {"at", prediction.at},
-          {"prior", band(prediction.prior)},
-          {"posterior", band(prediction.posterior)}};
-}
-
-std::string summary_of(const PreparedStudy& study, const CalibrationResult& result) {
-  std::vector<double> weights;
-  std::size_t agreeing = 0;
-  for (const SetResult& set : result.sets) {
-    weights.push_back(set.weight);
-    agreeing += agrees(set) ? 1U : 0U;
-  }
-  const bool has_posterior = result.effective_sets > 0;
-  Json json;
-  json["talus"] = TALUS_VERSION;
-  json["study"] = study.study().name;
-  json["seed"] = study.study().seed;
-  json["fingerprint"] = study.fingerprint();
-  json["sets"] = result.sets.size();
-  json["rocks_per_set"] = study.study().rocks;
-  json["agreeing_sets"] = agreeing;
-  json["effective_sets"] = result.effective_sets;
-  json["misfit"] = result.misfit;
-  json["likelihood_noise"] = result.likelihood_noise ? Json(*result.likelihood_noise) : Json();
-  json["best"] = {{"set", result.best}, {"score", result.sets[result.best].score}, {"values", Json::object()}};
-  json["best"]["settings"] = best_settings_json(study, result);
-  json["parameters"] = Json::array();
-  for (std::size_t k = 0; k < study.parameters().size(); ++k) {
-    const study::Parameter& parameter = study.parameters()[k];
-    json["best"]["values"][parameter.name] = result.sets[result.best].values[k];
-    std::vector<double> values;
-    for (const SetResult& set : result.sets) values.push_back(set.values[k]);
-    const Learned learned = learned_about(k, study, result);
-    Json prior;
-    for (const auto& [name, q] : {std::pair{"p05", 0.05}, {"p50", 0.5}, {"p95", 0.95}})
-      prior[name] = parameter.prior.value(q);
-    json["parameters"].push_back({{"name", parameter.name},
-                                  {"unit", parameter.unit},
-                                  {"prior", prior},
-                                  {"posterior", has_posterior ? quantiles_of(values, weights) : Json()},
-                                  {"width_of_prior", learned.width},
-                                  {"histogram", has_posterior ? histogram_json(k, study, result) : Json()}});
-  }
-  json["correlations"] = has_posterior ? correlations_json(study, result) : Json();
-  json["observations"] = Json::array();
-  for (std::size_t g = 0; g < study.groups().size(); ++g) {
-    const ObservedGroup& group = study.groups()[g];
-    Json features = Json::array();
-    for (std::size_t f = 0; f < group.features.size(); ++f) {
-      const auto column = group.sample.rows.col(static_cast<Eigen::Index>(f));
-      const double mean = column.mean();
-      const auto n = static_cast<double>(column.size());
-      Json feature{
-          {"name", group.features[f].name},
-          {"unit", group.features[f].unit},
-          {"observed_mean", mean},
-          {"observed_std_dev", n > 1 ? Json(std::sqrt((column.array() - mean).square().sum() / (n - 1))) : Json()}};
-      if (has_posterior) {
-        const Eigen::MatrixXd predicted = mixture_of(result.sets, weights, g, rows_like(group.sample, 2000)).rows;
-        const auto of = predicted.col(static_cast<Eigen::Index>(f));
-        feature["predicted_mean"] = of.mean();
-        feature["predicted_std_dev"] = std::sqrt((of.array() - of.mean()).square().mean());
-        feature["distribution"] = prediction_json(g, f, study, result);
-      }
-      features.push_back(std::move(feature));
-    }
-    json["observations"].push_back({{"name", group.name},
-                                    {"site", study.study().sites[group.site].name},
-                                    {"count", group.count()},
-                                    {"threshold", result.thresholds[g]},
-                                    {"best_distance", finite(result.sets[result.best].distances[g])},
-                                    {"features", std::move(features)}});
-    if (group.kind == ObservationKind::zones) {
-      json["observations"].back()["zones"] = zones_of(group, g, result, weights, study.study().seed);
-    }
-  }
-  json["held_out"] = Json::array();
-  for (const HeldOut& held : result.held_out) {
-    Json features = Json::array();
-    for (const PredictedFeature& each : held.features) {
-      features.push_back({{"observations", each.group},
-                          {"name", each.feature.name},
-                          {"unit", each.feature.unit},
-                          {"observed_mean", each.observed.mean},
-                          {"observed_std_dev", each.observed.std_dev},
-                          {"predicted_mean", each.predicted.mean},
-                          {"predicted_std_dev", each.predicted.std_dev},
-                          {"within_90", each.within_90}});
-    }
-    json["held_out"].push_back({{"name", held.name},
-                                {"observations", held.observations},
-                                {"posterior", held.posterior},
-                                {"prior", held.prior},
-                                {"constant", held.constant ? Json(*held.constant) : Json()},
-                                {"features", std::move(features)}});
-  }
-  json["held_out_coverage"] = Json::array();
-  for (const HeldOutCoverage& each : coverage_of(result.held_out)) {
-    json["held_out_coverage"].push_back({{"observations", each.group},
-                                         {"name", each.feature.name},
-                                         {"count", each.observations},
-                                         {"within_90", each.within_90},
-                                         {"expected", {each.min_expected, each.max_expected}}});
-  }
-  json["warnings"] = Json::array();
-  for (const Problem& problem : result.warnings.list()) json["warnings"].push_back(problem.text());
-  return json.dump(2) + '\n';
-}
-
-}  // namespace
-
-namespace {
 
 /// What the projects of the sites had fixed, as columns of a sample (model/fixed_columns.hpp).
 std::vector<project::FixedSetting> fixed_columns(const PreparedStudy& study) {
@@ -338,8 +157,9 @@ void write_results(const std::filesystem::path& folder, const PreparedStudy& stu
     write_file(best / file_name(study.study().sites[site].name),
                project_with(study, site, result.sets[result.best].values, best));
   }
-  write_file(folder / "report.html", report_of(study, result));
-  write_file(folder / "summary.json", summary_of(study, result));
+  const nlohmann::ordered_json summary = summary_of(study, result);
+  write_file(folder / "report.html", calibration_page(study.study().name, summary, posterior_sets(result)));
+  write_file(folder / "summary.json", summary.dump(2) + '\n');
 }
 
 CalibrationResult calibrate_into(const std::filesystem::path& folder, const PreparedStudy& study,

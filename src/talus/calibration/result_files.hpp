@@ -35,7 +35,4 @@ void write_results(const std::filesystem::path& folder, const PreparedStudy& stu
 [[nodiscard]] std::string project_with(const PreparedStudy& study, std::size_t site, const study::ParameterSet& values,
                                        const std::filesystem::path& folder);
 
-/// The page as text: one file that opens without a network.
-[[nodiscard]] std::string report_of(const PreparedStudy& study, const CalibrationResult& result);
-
 }  // namespace talus::calibration

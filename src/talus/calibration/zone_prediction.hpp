@@ -20,8 +20,4 @@ struct PredictedShare {
                                                            const std::vector<SetResult>& sets,
                                                            std::span<const double> weights, std::uint64_t seed);
 
-/// A table and a figure of a group of zones, as HTML.
-[[nodiscard]] std::string zones_as_html(const PreparedStudy& study, std::size_t g, const CalibrationResult& result,
-                                        std::span<const double> posterior, std::span<const double> prior);
-
 }  // namespace talus::calibration

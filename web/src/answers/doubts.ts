@@ -1,5 +1,6 @@
 // Why the answers should not be taken as they are, the most serious reason first, each with what to do.
 
+import { bareWarning } from '../archive/bareWarning';
 import type { AskedAnswer, Interval, LineAnswer } from '../api/line';
 import type { Summary } from '../api/results';
 import type { Problem, ProblemKind } from '../api/types';
@@ -98,7 +99,7 @@ const problemDoubt = (kind: DoubtKind, { what, why, hint, text }: Problem): Doub
 });
 const capital = (text: string) => text.slice(0, 1).toUpperCase() + text.slice(1);
 /// "road.toml:31: warning: " of the command line is left out.
-export const warningText = (text: string) => capital(text.replace(/^(?:.*?: )?warning: /, ''));
+export const warningText = (text: string) => capital(bareWarning(text));
 
 const nearZero = 0.05; // m above the ground; less than any block
 

@@ -1,5 +1,6 @@
 // Requests for observed rocks and for the results of calibrations.
 
+import type { CalibrationSummary } from '../archive/calibration';
 import { getJson } from './client';
 import type { Point2, Problem } from './types';
 
@@ -52,52 +53,6 @@ export interface Uncertainty {
   ensembles: number;
   confidence: number;
   figures: FigureUncertainty[];
-}
-
-export interface Band {
-  low: number[];
-  median: number[];
-  high: number[];
-}
-/// summary.json of a calibration. Without a posterior its figures are null or missing.
-export interface CalibrationSummary {
-  study: string;
-  sets: number;
-  rocks_per_set: number;
-  agreeing_sets: number;
-  effective_sets: number;
-  misfit: number;
-  best: { score: number; values: Record<string, number>; settings: Record<string, string[]> };
-  parameters: {
-    name: string;
-    unit: string;
-    prior: { p05: number; p50: number; p95: number };
-    posterior: { p05: number; p25: number; p50: number; p75: number; p95: number } | null;
-    width_of_prior: number;
-    histogram: { edges: number[]; prior: number[]; posterior: number[] } | null;
-  }[];
-  /// A row for each parameter, with the parameters before it.
-  correlations: number[][] | null;
-  observations: {
-    name: string;
-    site: string;
-    count: number;
-    threshold: number;
-    best_distance: number | null;
-    zones?: { name: string; observed_share: number; predicted_share: { p05: number; p50: number; p95: number } }[];
-    features: {
-      name: string;
-      unit: string;
-      observed_mean: number;
-      observed_std_dev: number | null;
-      predicted_mean?: number;
-      predicted_std_dev?: number;
-      distribution?: { observed: number[]; at: number[]; prior: Band; posterior: Band };
-    }[];
-  }[];
-  held_out: { name: string; observations: number; posterior: number; prior: number; constant: number | null }[];
-  held_out_coverage?: { observations: string; name: string; count: number; within_90: number; expected: [number, number] }[];
-  warnings: string[];
 }
 
 const file = (name: string) => `file=${encodeURIComponent(name)}`;

@@ -1,12 +1,16 @@
 // The results of a calibration: what is known of each parameter, and how well it predicts the observations.
 
 import { useCallback, useMemo, useState } from 'preact/hooks';
-import { observing, type CalibrationSummary } from '../api/calibration';
+import type { CalibratedGroup, CalibrationSummary } from '../archive/calibration';
+import { observing } from '../api/calibration';
 import { fileAddress, results } from '../api/results';
 import type { Run } from '../api/types';
 import { parameterPairs, parameterShareRows, parameterShares, predictedShareRows, predictedShares } from '../figures/bands';
+import { zoneShareRows, zoneShares, type ZoneShare } from '../figures/zoneShares';
+import { pathWords } from '../settings/keyWords';
+import { unitText } from '../settings/titles';
 import { numberText, counted } from '../units/numbers';
-import type { Room } from '../figures/plot';
+import { titleOf, type Room } from '../figures/plot';
 import { Chart } from '../charts/Chart';
 import { DataTable } from '../charts/DataTable';
 import { useRemote } from '../ui/remote';
@@ -21,11 +25,11 @@ import './calibration.css';
 type Parameter = CalibrationSummary['parameters'][number];
 type Feature = CalibrationSummary['observations'][number]['features'][number];
 
-const shortName = (path: string) => path.replace(/^material\./, '');
 const text = (value: number | null | undefined) => (value === null || value === undefined ? '' : String(value));
 
 function ParameterChart({ run, parameter, best }: { run: Run; parameter: Parameter; best: number }) {
-  const { name: title, unit, histogram, posterior } = parameter;
+  const { name, histogram, posterior } = parameter;
+  const [title, unit] = [pathWords(name), unitText(parameter.unit)];
   const shown = useMemo(
     () => ({
       title,
@@ -67,8 +71,8 @@ function Pairs({ run, summary }: { run: Run; summary: CalibrationSummary }) {
   const draw = useCallback(
     (element: SVGSVGElement, room: Room) =>
       parameterPairs(element, room, {
-        x: { title: shortName(x.name), unit: x.unit },
-        y: { title: shortName(y.name), unit: y.unit },
+        x: { title: pathWords(x.name), unit: unitText(x.unit) },
+        y: { title: pathWords(y.name), unit: unitText(y.unit) },
         sets: rows.map((row) => ({ x: row[x.name]!, y: row[y.name]!, weight: row.weight! })),
       }),
     [rows, x, y],
@@ -87,7 +91,7 @@ function Pairs({ run, summary }: { run: Run; summary: CalibrationSummary }) {
           <select aria-label="Pair of parameters" value={chosen} onChange={(event) => choose(Number(event.currentTarget.value))}>
             {pairs.map(([a, b], k) => (
               <option key={k} value={k}>
-                {shortName(parameters[a]!.name)} – {shortName(parameters[b]!.name)}
+                {pathWords(parameters[a]!.name)} – {pathWords(parameters[b]!.name)}
               </option>
             ))}
           </select>
@@ -113,6 +117,23 @@ function PredictionChart({ run, name, feature }: { run: Run; name: string; featu
   );
 }
 
+function ZoneChart({ run, group }: { run: Run; group: CalibratedGroup }) {
+  const zones = useMemo(
+    () => (group.zones ?? []).map(({ name, observed_share: observed, predicted_share: { p05, p50, p95 } }): ZoneShare => ({ name, observed, predicted: [p05, p50, p95] })),
+    [group],
+  );
+  const draw = useCallback((element: SVGSVGElement, room: Room) => zoneShares(element, room, zones), [zones]);
+  return (
+    <Chart
+      title={`Deposits by zone: ${group.name}`}
+      description={`Shares of the deposits of ${group.name} by zone: observed, and the range within which 90 % of as many rocks lie by the posterior.`}
+      file={fileName(run.name, 'zones', group.name)}
+      draw={draw}
+      rows={() => zoneShareRows(zones)}
+    />
+  );
+}
+
 function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
   const { parameters, observations, held_out: heldOut, held_out_coverage: coverage = [], best } = summary;
   return (
@@ -132,7 +153,7 @@ function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
           { key: 'width', title: 'Width, posterior over prior' },
         ]}
         rows={parameters.map(({ name, unit, prior, posterior, width_of_prior }) => [
-          unit ? `${name} [${unit}]` : name,
+          titleOf({ title: pathWords(name), unit: unitText(unit) }),
           ...[prior.p05, prior.p95, posterior?.p05, posterior?.p50, posterior?.p95, best.values[name], width_of_prior].map(text),
         ])}
       />
@@ -262,6 +283,7 @@ function Results({ run }: { run: Run }) {
             Report
           </a>
         </div>
+        {summary.best.note && <p>{summary.best.note}.</p>}
         {run.problems.map(({ text: warning, severity }) => (
           <p key={warning} class={`problem ${severity}`}>
             {warning}
@@ -281,6 +303,8 @@ function Results({ run }: { run: Run }) {
               ) : null,
             ),
           )}
+        {hasPosterior &&
+          summary.observations.map((group) => (group.zones && group.zones.length > 0 ? <ZoneChart key={group.name} run={run} group={group} /> : null))}
         {hasPosterior && summary.parameters.length > 1 && <Pairs run={run} summary={summary} />}
       </div>
       <Tables run={run} summary={summary} />

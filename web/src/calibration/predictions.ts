@@ -1,7 +1,7 @@
 // Projects made from the results of a calibration.
 
 import { api } from '../api/client';
-import type { CalibrationSummary } from '../api/calibration';
+import type { CalibrationSummary } from '../archive/calibration';
 import { results } from '../api/results';
 import type { Run } from '../api/types';
 import type { Edit } from '../settings/names';

@@ -126,7 +126,8 @@ export interface Shares {
 export interface PredictedShares extends Named {
   observed: readonly number[];
   at: readonly number[];
-  prior: Shares;
+  /// null: none is shown.
+  prior: Shares | null;
   posterior: Shares;
 }
 
@@ -143,7 +144,7 @@ export function predictedShares(element: SVGSVGElement, room: Room, shown: Predi
     entries: [
       { text: 'observed', draw: sign.line('step', colours.observed), switches: groups[2]! },
       { text: 'posterior, 90 %', draw: sign.box('box', colours.posterior), switches: groups[1]! },
-      { text: 'prior, 90 %', draw: sign.box('box', colours.prior), switches: groups[0]! },
+      ...(prior ? [{ text: 'prior, 90 %', draw: sign.box('box', colours.prior), switches: groups[0]! }] : []),
     ],
   });
   groups.forEach((group) => group.raise());
@@ -161,7 +162,7 @@ export function predictedShares(element: SVGSVGElement, room: Room, shown: Predi
     );
     group.append('path').attr('class', 'envelope').style('--run', colour).attr('d', middle(places));
   };
-  band(groups[0]!, prior, colours.prior);
+  if (prior) band(groups[0]!, prior, colours.prior);
   band(groups[1]!, posterior, colours.posterior);
   const steps = observed.map((value, k): [number, number] => [value, (k + 1) / observed.length]);
   const corners = cumulativeCurve(steps, range).map(([value, share]) => `${plot.x(value)},${plot.y(share)}`);
@@ -172,20 +173,18 @@ export function predictedShares(element: SVGSVGElement, room: Room, shown: Predi
       `at most ${valueText(at[k]!, unit)}`,
       `observed: ${percent(observed.filter((value) => value <= at[k]!).length / observed.length)}`,
       `posterior: ${percent(posterior.low[k]!)} to ${percent(posterior.high[k]!)}`,
-      `prior: ${percent(prior.low[k]!)} to ${percent(prior.high[k]!)}`,
+      ...(prior ? [`prior: ${percent(prior.low[k]!)} to ${percent(prior.high[k]!)}`] : []),
     ].join('\n'),
   );
 }
 
 export const predictedShareRows = ({ title, at, prior, posterior }: PredictedShares): Cell[][] => [
-  [title, 'posterior_5', 'posterior_50', 'posterior_95', 'prior_5', 'prior_50', 'prior_95'],
+  [title, 'posterior_5', 'posterior_50', 'posterior_95', ...(prior ? ['prior_5', 'prior_50', 'prior_95'] : [])],
   ...at.map((place, k) => [
     place,
     posterior.low[k]!,
     posterior.median[k]!,
     posterior.high[k]!,
-    prior.low[k]!,
-    prior.median[k]!,
-    prior.high[k]!,
+    ...(prior ? [prior.low[k]!, prior.median[k]!, prior.high[k]!] : []),
   ]),
 ];

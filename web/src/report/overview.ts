@@ -1,6 +1,7 @@
 // The first block of the report: cards with the main results, warnings, end reasons. Heights are those at barriers and
 // collectors: the greatest of a run is mostly a fall from the cliff, which no fence has to stop.
 
+import { bareWarning } from '../archive/bareWarning';
 import * as d3 from '../figures/d3';
 import type { Group } from '../figures/plot';
 import { element } from './figure';
@@ -58,15 +59,12 @@ export function cards(parent: Group) {
   if (names.length <= mostBarriersWithCards) for (const name of names) barrierCards(box, name);
 }
 
-// Drops the "road.toml:31: warning: " of the command line, which is redundant under this heading.
-const warningText = (warning: string) => warning.replace(/^(?:.*?: )?warning: /, '');
-
 function warningsOf({ label, summary, notes }: Run): string[] {
   const { rocks, interrupted } = summary;
   const stopped = `The run was interrupted after ${number(rocks?.done)} of ${number(rocks?.planned)} rocks.`;
   const lines = [
     ...(interrupted ? [stopped] : []),
-    ...(summary.warnings ?? []).map(warningText),
+    ...(summary.warnings ?? []).map(bareWarning),
     ...(summary.notes ?? []),
     ...notes,
   ];
