@@ -1,7 +1,7 @@
 // What a run has found so far is shown while it goes on, as partial.
 
 import { computeWith, openExample, runCard } from '../support/steps';
-import { stillShot } from '../support/pixels';
+import { stillShot, viewShot } from '../support/pixels';
 import { expect, test } from '../support/workbench';
 
 test('trajectories and shares grow while a run goes on', async ({ workbench: page }) => {
@@ -37,7 +37,7 @@ test('trajectories grow in 3D', async ({ workbench: page }) => {
   const before = await stillShot(page);
   await computeWith(page, 'Long', 5_000_000);
   await expect(page.getByText(/^In progress: some of the trajectories of the first/)).toBeVisible();
-  expect((await stillShot(page)).equals(before)).toBe(false);
+  await expect.poll(async () => (await viewShot(page)).equals(before)).toBe(false);
   await runCard(page, 'Long').getByRole('button', { name: 'Stop' }).click();
   await expect(page.getByRole('group', { name: 'Playback' })).toBeVisible({ timeout: 60_000 });
 });
