@@ -253,7 +253,7 @@ TEST_F(Calibrations, DrawTheirReport) {
     const dots = main.querySelectorAll('#pairs circle').length > 10;
     return [titles, isDrawn, dots, /NaN|undefined/.test(main.innerHTML)].join('; ');
   )"),
-            "Tangential restitution, Scree; Roughness, Scree; Tangential restitution, Scree and roughness, Scree; "
+            "Scree: tangential restitution; Scree: roughness; Scree: tangential restitution, and Scree: roughness; "
             "Runout, stops; true; true; false");
 }
 

@@ -81,13 +81,13 @@ test('observed stops are imported, seen, calibrated with, and predicted', async 
   const known = page.getByRole('region', { name: 'What is known of each parameter' });
   await expect(known).toBeVisible();
   const rows = await cellsOf(known);
-  expect(rows.map(([name]) => name)).toEqual(['Tangential restitution, Scree', 'Friction angle, Meadow [°]']);
+  expect(rows.map(([name]) => name)).toEqual(['Scree: tangential restitution', 'Meadow: friction angle [°]']);
   for (const cells of rows) {
     const [low, median, high] = cells.slice(3, 6).map(Number);
     expect(low!).toBeLessThan(median!);
     expect(median!).toBeLessThan(high!);
   }
-  await expect(page.getByRole('img', { name: /^Prior and posterior of Tangential restitution, Scree/ })).toBeVisible();
+  await expect(page.getByRole('img', { name: /^Prior and posterior of Scree: tangential restitution/ })).toBeVisible();
   await expect(page.getByRole('img', { name: /^Cumulative distribution of runout, stops/ })).toBeVisible();
   await expect(page.getByRole('img', { name: /^Sets of the posterior by/ })).toBeVisible();
   await expect(page.getByRole('region', { name: /held out/ })).toBeVisible();

@@ -1,6 +1,7 @@
 // summary.json of a calibration (src/talus/calibration/result_summary.cpp). Without a posterior its figures are null or
 // missing.
 
+/// Quantiles of a distribution function: 5, 50 and 95 % at each place.
 export interface Band {
   low: number[];
   median: number[];

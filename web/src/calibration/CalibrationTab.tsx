@@ -6,9 +6,8 @@ import { observing } from '../api/calibration';
 import { fileAddress, results } from '../api/results';
 import type { Run } from '../api/types';
 import { parameterPairs, parameterShareRows, parameterShares, predictedShareRows, predictedShares } from '../figures/bands';
-import { zoneShareRows, zoneShares, type ZoneShare } from '../figures/zoneShares';
-import { pathWords } from '../settings/keyWords';
-import { unitText } from '../settings/titles';
+import { zoneShareRows, zoneShares } from '../figures/zoneShares';
+import { titled } from '../settings/titles';
 import { numberText, counted } from '../units/numbers';
 import { titleOf, type Room } from '../figures/plot';
 import { Chart } from '../charts/Chart';
@@ -28,8 +27,7 @@ type Feature = CalibrationSummary['observations'][number]['features'][number];
 const text = (value: number | null | undefined) => (value === null || value === undefined ? '' : String(value));
 
 function ParameterChart({ run, parameter, best }: { run: Run; parameter: Parameter; best: number }) {
-  const { name, histogram, posterior } = parameter;
-  const [title, unit] = [pathWords(name), unitText(parameter.unit)];
+  const { title, unit, histogram, posterior } = titled(parameter);
   const shown = useMemo(
     () => ({
       title,
@@ -66,13 +64,13 @@ function Pairs({ run, summary }: { run: Run; summary: CalibrationSummary }) {
   const pairs = parameters.flatMap((_, a) => parameters.slice(0, a).map((_one, b) => [b, a] as const));
   const [chosen, choose] = useState(0);
   const [first, second] = pairs[chosen] ?? pairs[0]!;
-  const [x, y] = [parameters[first]!, parameters[second]!];
+  const [x, y] = [titled(parameters[first]!), titled(parameters[second]!)];
   const rows = useMemo(() => posteriorRows(answer.value ?? ''), [answer.value]);
   const draw = useCallback(
     (element: SVGSVGElement, room: Room) =>
       parameterPairs(element, room, {
-        x: { title: pathWords(x.name), unit: unitText(x.unit) },
-        y: { title: pathWords(y.name), unit: unitText(y.unit) },
+        x,
+        y,
         sets: rows.map((row) => ({ x: row[x.name]!, y: row[y.name]!, weight: row.weight! })),
       }),
     [rows, x, y],
@@ -91,7 +89,7 @@ function Pairs({ run, summary }: { run: Run; summary: CalibrationSummary }) {
           <select aria-label="Pair of parameters" value={chosen} onChange={(event) => choose(Number(event.currentTarget.value))}>
             {pairs.map(([a, b], k) => (
               <option key={k} value={k}>
-                {pathWords(parameters[a]!.name)} – {pathWords(parameters[b]!.name)}
+                {titled(parameters[a]!).title} – {titled(parameters[b]!).title}
               </option>
             ))}
           </select>
@@ -118,18 +116,14 @@ function PredictionChart({ run, name, feature }: { run: Run; name: string; featu
 }
 
 function ZoneChart({ run, group }: { run: Run; group: CalibratedGroup }) {
-  const zones = useMemo(
-    () => (group.zones ?? []).map(({ name, observed_share: observed, predicted_share: { p05, p50, p95 } }): ZoneShare => ({ name, observed, predicted: [p05, p50, p95] })),
-    [group],
-  );
-  const draw = useCallback((element: SVGSVGElement, room: Room) => zoneShares(element, room, zones), [zones]);
+  const draw = useCallback((element: SVGSVGElement, room: Room) => zoneShares(element, room, group.zones ?? []), [group]);
   return (
     <Chart
       title={`Deposits by zone: ${group.name}`}
       description={`Shares of the deposits of ${group.name} by zone: observed, and the range within which 90 % of as many rocks lie by the posterior.`}
       file={fileName(run.name, 'zones', group.name)}
       draw={draw}
-      rows={() => zoneShareRows(zones)}
+      rows={() => zoneShareRows(group.zones ?? [])}
     />
   );
 }
@@ -152,8 +146,8 @@ function Tables({ run, summary }: { run: Run; summary: CalibrationSummary }) {
           { key: 'best', title: 'Best set' },
           { key: 'width', title: 'Width, posterior over prior' },
         ]}
-        rows={parameters.map(({ name, unit, prior, posterior, width_of_prior }) => [
-          titleOf({ title: pathWords(name), unit: unitText(unit) }),
+        rows={parameters.map(titled).map(({ name, title, unit, prior, posterior, width_of_prior }) => [
+          titleOf({ title, unit }),
           ...[prior.p05, prior.p95, posterior?.p05, posterior?.p50, posterior?.p95, best.values[name], width_of_prior].map(text),
         ])}
       />

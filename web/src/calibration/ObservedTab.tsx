@@ -1,7 +1,8 @@
 // Observed stops beside the simulated end points of a run, with the figures of the report.
 
 import { useCallback } from 'preact/hooks';
-import { observing, type ObservedComparison, type ObservedQuantity } from '../api/calibration';
+import { observing } from '../api/calibration';
+import { quantityTitle, type ObservedComparison, type ObservedQuantity } from '../archive/observed';
 import type { Run } from '../api/types';
 import { cumulative, cumulativeRows, type Steps } from '../figures/cumulative';
 import type { Room } from '../figures/plot';
@@ -16,15 +17,8 @@ import { inFolder } from '../project/files';
 import { observedStops } from './observations';
 import './calibration.css';
 
-const titles: Record<ObservedQuantity['key'], (of: ObservedComparison) => string> = {
-  position: () => 'Position on plan',
-  x: () => 'x of the end point',
-  runout: ({ runout }) => `Runout ${runout ?? ''}`,
-  lateral: () => 'Distance beside the line',
-};
-
 function Curves({ run, of, quantity }: { run: Run; of: ObservedComparison; quantity: ObservedQuantity }) {
-  const title = titles[quantity.key](of);
+  const title = quantityTitle(quantity, of);
   const steps: Steps[] = [
     { name: 'simulated', colour: shownColour, points: quantity.simulated!.cumulative },
     { name: 'observed', colour: 'var(--observed)', points: quantity.observed!.cumulative },
@@ -80,7 +74,7 @@ function Comparison({ run, name }: { run: Run; name: string }) {
             ]}
             rows={of.quantities.map((quantity) => {
               const { value, median, p95, p_value } = quantity.energy_distance;
-              return [titles[quantity.key](of), text(value), text(median), text(p95), text(100 * p_value)];
+              return [quantityTitle(quantity, of), text(value), text(median), text(p95), text(100 * p_value)];
             })}
           />
           <DataTable
@@ -98,7 +92,7 @@ function Comparison({ run, name }: { run: Run; name: string }) {
             rows={lines.flatMap((quantity) =>
               (['observed', 'simulated'] as const).map((which) => {
                 const { mean, p05, median, p95 } = quantity[which]!;
-                return [titles[quantity.key](of), which, ...[mean, p05, median, p95].map(text)];
+                return [quantityTitle(quantity, of), which, ...[mean, p05, median, p95].map(text)];
               }),
             )}
           />

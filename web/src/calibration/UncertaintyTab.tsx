@@ -1,7 +1,8 @@
 // The figures of a run whose rocks draw their parameters from a posterior, with the parts of their uncertainty.
 
 import { useCallback } from 'preact/hooks';
-import { observing, type FigureUncertainty, type RangeOf } from '../api/calibration';
+import { observing } from '../api/calibration';
+import { figureTitle, type FigureUncertainty, type RangeOf } from '../archive/uncertainty';
 import type { Run } from '../api/types';
 import type { Room } from '../figures/plot';
 import { tornado } from '../figures/tornado';
@@ -11,9 +12,6 @@ import { useRemote } from '../ui/remote';
 import { fileName } from '../charts/save';
 import { Waiting } from '../ui/Waiting';
 import './calibration.css';
-
-const titleOf = ({ text, line }: FigureUncertainty) =>
-  text.charAt(0).toUpperCase() + text.slice(1) + (line ? `: ${line}` : '');
 
 /// Shares have no unit in the files and are shown in percent.
 const scaled = ({ unit }: FigureUncertainty, value: number) => String(unit === '' ? 100 * value : value);
@@ -26,7 +24,7 @@ function Parts({ run, figures }: { run: Run; figures: readonly FigureUncertainty
         title: 'Part of the parameters in the variance between ensembles',
         unit: '%',
         per: 1,
-        bars: figures.map((each) => ({ name: titleOf(each), value: 100 * each.parameter_share, low: null, high: null })),
+        bars: figures.map((each) => ({ name: figureTitle(each), value: 100 * each.parameter_share, low: null, high: null })),
       }),
     [figures],
   );
@@ -37,7 +35,7 @@ function Parts({ run, figures }: { run: Run; figures: readonly FigureUncertainty
         description="Part of the parameters in the variance of each figure between ensembles; the rest is that of the rocks. The table has the numbers."
         file={fileName(run.name, 'uncertainty', 'parts')}
         draw={draw}
-        rows={() => [['figure', 'parameters', 'rocks'], ...figures.map((each) => [titleOf(each), each.parameter_share, 1 - each.parameter_share])]}
+        rows={() => [['figure', 'parameters', 'rocks'], ...figures.map((each) => [figureTitle(each), each.parameter_share, 1 - each.parameter_share])]}
       />
     </div>
   );
@@ -75,7 +73,7 @@ export function UncertaintyTab({ run }: { run: Run }) {
         ]}
         unitAt={(row, column) => (column >= 2 && column <= 8 ? figures[row]!.unit || '%' : undefined)}
         rows={figures.map((each) => [
-          titleOf(each),
+          figureTitle(each),
           each.unit || '%',
           scaled(each, each.total[0]),
           ...ends(each, each.total),

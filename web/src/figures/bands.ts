@@ -3,6 +3,7 @@
 
 import { max } from 'd3-array';
 import { area, line } from 'd3-shape';
+import type { Band } from '../archive/calibration';
 import { measured, numberText } from '../units/numbers';
 import type { Cell } from './files';
 import { cumulativeCurve } from './cumulative';
@@ -117,18 +118,13 @@ export function parameterPairs(element: SVGSVGElement, room: Room, pairs: Parame
   }
 }
 
-export interface Shares {
-  low: readonly number[];
-  median: readonly number[];
-  high: readonly number[];
-}
 /// The share of rocks up to each place: observed, and 90 % bands of as many rocks by the prior and by the posterior.
 export interface PredictedShares extends Named {
   observed: readonly number[];
   at: readonly number[];
   /// null: none is shown.
-  prior: Shares | null;
-  posterior: Shares;
+  prior: Band | null;
+  posterior: Band;
 }
 
 export function predictedShares(element: SVGSVGElement, room: Room, shown: PredictedShares) {
@@ -149,7 +145,7 @@ export function predictedShares(element: SVGSVGElement, room: Room, shown: Predi
   });
   groups.forEach((group) => group.raise());
   const places = at.map((_, k) => k);
-  const band = (group: Group, of: Shares, colour: string) => {
+  const band = (group: Group, of: Band, colour: string) => {
     const shape = area<number>(
       (k) => plot.x(at[k]!),
       (k) => plot.y(100 * of.low[k]!),

@@ -1,24 +1,15 @@
 // Observed runouts of the runs of a field experiment, each with the range that was predicted for it.
 
 import { max } from 'd3-array';
+import type { PredictedRun } from '../archive/validation';
 import { numberText } from '../units/numbers';
 import type { Cell } from './files';
 import { openDrawing, openPlot, sign, titleOf, type Group, type Room } from './plot';
 import { tip } from './tip';
 
-export interface RunRange {
-  name: string;
-  /// Runouts [m].
-  observed: number;
-  p05: number;
-  p25: number;
-  p75: number;
-  p95: number;
-}
-
 export interface RunRanges {
   /// In the order of the figure.
-  runs: readonly RunRange[];
+  runs: readonly PredictedRun[];
   /// Mean runout of the runs that were calibrated on [m].
   others: number;
   /// Lengths are divided by `per` for display in `unit`.

@@ -1,16 +1,8 @@
 // Releases, observed stops and predicted stops of a field experiment on plan; both axes have one scale.
 
+import type { PredictedPlan } from '../archive/validation';
 import type { Cell } from './files';
 import { extentOf, openDrawing, openPlot, sign, type Range, type Room } from './plot';
-
-type Place = readonly [x: number, y: number];
-
-/// Coordinates on plan [m].
-export interface StopsOnPlan {
-  releases: readonly Place[];
-  observed: readonly Place[];
-  predicted: readonly Place[];
-}
 
 const kinds = [
   { key: 'predicted', text: 'predicted stop', colour: 'var(--accent)', radius: 2, opacity: 0.25 },
@@ -18,14 +10,14 @@ const kinds = [
   { key: 'observed', text: 'observed stop', colour: 'var(--observed)', radius: 3, opacity: 1 },
 ] as const;
 
-const placesOf = (plan: StopsOnPlan) => kinds.flatMap(({ key }) => plan[key]);
-const rangesOf = (plan: StopsOnPlan): [Range, Range] => [
+const placesOf = (plan: PredictedPlan) => kinds.flatMap(({ key }) => plan[key]);
+const rangesOf = (plan: PredictedPlan): [Range, Range] => [
   extentOf(placesOf(plan).map(([x]) => x)),
   extentOf(placesOf(plan).map(([, y]) => y)),
 ];
 
 /// How tall a figure of this width is.
-export function stopsTall(plan: StopsOnPlan, width: number): number {
+export function stopsTall(plan: PredictedPlan, width: number): number {
   const [x, y] = rangesOf(plan);
   return Math.min(700, Math.max(220, 80 + (width - 90) * ((y[1] - y[0]) / (x[1] - x[0]))));
 }
@@ -37,7 +29,7 @@ function toOneScale([x, y]: [Range, Range], width: number, height: number): [Ran
   return [about(x, metres * width), about(y, metres * height)];
 }
 
-export function stopsOnPlan(element: SVGSVGElement, room: Room, plan: StopsOnPlan) {
+export function stopsOnPlan(element: SVGSVGElement, room: Room, plan: PredictedPlan) {
   const svg = openDrawing(element, room);
   const [xRange, yRange] = rangesOf(plan);
   const { x, y } = openPlot(svg, room, {
@@ -54,7 +46,7 @@ export function stopsOnPlan(element: SVGSVGElement, room: Room, plan: StopsOnPla
   }
 }
 
-export const stopRows = (plan: StopsOnPlan): Cell[][] => [
+export const stopRows = (plan: PredictedPlan): Cell[][] => [
   ['of', 'x_m', 'y_m'],
   ...kinds.flatMap(({ key, text }) => plan[key].map(([x, y]): Cell[] => [text, x, y])),
 ];

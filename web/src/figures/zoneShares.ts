@@ -1,28 +1,22 @@
 // Shares of deposits by zone: observed, and the range predicted by a calibration.
 
 import { max } from 'd3-array';
+import type { CalibratedZone } from '../archive/calibration';
 import { numberText } from '../units/numbers';
 import type { Cell } from './files';
 import { openDrawing, openPlot, sign, type Group, type Room } from './plot';
 import { tip } from './tip';
 import { shortened } from './tornado';
 
-export interface ZoneShare {
-  name: string;
-  observed: number;
-  /// Quantiles of the posterior's prediction: 5, 50 and 95 %.
-  predicted: readonly [number, number, number];
-}
-
 const colours = { observed: 'var(--soft)', predicted: 'var(--accent)' };
 const letterWidth = 6.4;
-export const zoneSharesTall = (zones: readonly ZoneShare[]) => 90 + 26 * zones.length;
+export const zoneSharesTall = (zones: readonly CalibratedZone[]) => 90 + 26 * zones.length;
 
-export function zoneShares(element: SVGSVGElement, room: Room, zones: readonly ZoneShare[]) {
+export function zoneShares(element: SVGSVGElement, room: Room, zones: readonly CalibratedZone[]) {
   const svg = openDrawing(element, room);
   const names = Math.min(0.5 * room.width, letterWidth * Math.max(1, ...zones.map(({ name }) => name.length)));
   const { side, x } = openPlot(svg, room, {
-    x: [0, 106 * (max(zones, ({ observed, predicted }) => Math.max(observed, predicted[2])) || 1)],
+    x: [0, 106 * (max(zones, (zone) => Math.max(zone.observed_share, zone.predicted_share.p95)) || 1)],
     y: [0, 1],
     xLabel: 'Share of the deposits [%]',
     yLabel: '',
@@ -33,7 +27,7 @@ export function zoneShares(element: SVGSVGElement, room: Room, zones: readonly Z
     ],
   });
   const each = (side.bottom - side.top) / Math.max(zones.length, 1);
-  zones.forEach(({ name, observed, predicted: [low, median, high] }, k) => {
+  zones.forEach(({ name, observed_share: observed, predicted_share: { p05: low, p50: median, p95: high } }, k) => {
     const middle = side.top + (k + 0.5) * each;
     const half = Math.min(9, 0.34 * each);
     svg
@@ -75,7 +69,7 @@ export function zoneShares(element: SVGSVGElement, room: Room, zones: readonly Z
   });
 }
 
-export const zoneShareRows = (zones: readonly ZoneShare[]): Cell[][] => [
+export const zoneShareRows = (zones: readonly CalibratedZone[]): Cell[][] => [
   ['zone', 'observed', 'predicted_5', 'predicted_50', 'predicted_95'],
-  ...zones.map(({ name, observed, predicted }) => [name, observed, ...predicted]),
+  ...zones.map(({ name, observed_share, predicted_share: { p05, p50, p95 } }) => [name, observed_share, p05, p50, p95]),
 ];

@@ -3,10 +3,9 @@
 import type { CalibratedFeature, CalibratedGroup, CalibratedZone, CalibrationSummary, ShareRange } from '../archive/calibration';
 import { bareWarning } from '../archive/bareWarning';
 import { parameterPairs, parameterShareRows, parameterShares, predictedShareRows, predictedShares } from '../figures/bands';
-import { titleOf as withUnit, type Group } from '../figures/plot';
-import { zoneShareRows, zoneShares, zoneSharesTall, type ZoneShare } from '../figures/zoneShares';
-import { pathWords } from '../settings/keyWords';
-import { unitText } from '../settings/titles';
+import { titleOf, type Group } from '../figures/plot';
+import { zoneShareRows, zoneShares, zoneSharesTall } from '../figures/zoneShares';
+import { titled } from '../settings/titles';
 import { drawing, element, figure, nameFigures } from './figure';
 import { count, number } from './format';
 import { embedded } from './data';
@@ -16,13 +15,12 @@ import { table, type Row } from './tables';
 /// The summary, and the sets that matter in the posterior: of each its weight, then its values.
 const page = embedded<CalibrationSummary & { posterior_sets: number[][] }>();
 const { observations, best } = page;
-const parameters = page.parameters.map((each) => ({ ...each, unit: unitText(each.unit) }));
+const parameters = page.parameters.map(titled);
 const hasPosterior = page.effective_sets > 0;
 const mostInPairs = 6; // parameters
 
 const text = (value: number | null | undefined, digits = 4) => number(value, digits);
 const percent = (share: number) => number(Math.round(1000 * share) / 10);
-const named = ({ name, unit }: { name: string; unit: string }) => withUnit({ title: pathWords(name), unit });
 const spreadText = (mean: number, spread: number | null | undefined, unit: string) =>
   `${text(mean)} ± ${text(spread, 3)}${unit && ` ${unit}`}`;
 
@@ -44,7 +42,7 @@ function parameterTable(parent: Group) {
     rows: parameters.map((parameter) => {
       const { name, prior, posterior, width_of_prior: width, learned_nothing: nothing } = parameter;
       return [
-        { text: named(parameter), full: name },
+        { text: titleOf(parameter), full: name },
         `${text(prior.p05)} to ${text(prior.p95)}`,
         posterior ? `${text(posterior.p05)} to ${text(posterior.p95)}` : '–',
         text(posterior?.p50),
@@ -60,11 +58,11 @@ function parameterTable(parent: Group) {
 
 function parameterFigures(parent: Group) {
   const box = element(parent, 'div', null, { class: 'columns' });
-  for (const { name, unit, histogram, posterior } of parameters) {
+  for (const { name, title, unit, histogram, posterior } of parameters) {
     if (!histogram || !posterior) continue;
     const { p05, p50, p95 } = posterior;
     const value = best.values[name] ?? p50;
-    const shown = { title: pathWords(name), unit, ...histogram, quantiles: [p05, p50, p95] as const, best: value };
+    const shown = { title, unit, ...histogram, quantiles: [p05, p50, p95] as const, best: value };
     figure(box, {
       title: shown.title,
       label: `Prior and posterior of ${shown.title}`,
@@ -80,8 +78,8 @@ function pairs(parent: Group) {
   table(parent, {
     caption: 'Correlations in the posterior',
     head: [['', ...parameters.map((_, k) => String(k + 1))]],
-    rows: parameters.map(({ name }, a) => [
-      `${a + 1} ${pathWords(name)}`,
+    rows: parameters.map(({ title }, a) => [
+      `${a + 1} ${title}`,
       ...parameters.map((_, b) => text(page.correlations?.[a]?.[b], 2).replace('–', '')),
     ]),
     numeric: (column) => column > 0,
@@ -91,13 +89,12 @@ function pairs(parent: Group) {
   shown.forEach((y, b) =>
     shown.slice(0, b).forEach((x, a) => {
       const sets = page.posterior_sets.map(([weight = 0, ...values]) => ({ weight, x: values[a] ?? 0, y: values[b] ?? 0 }));
-      const [across, up] = [pathWords(x.name), pathWords(y.name)];
       figure(box, {
-        title: `${across} and ${up.charAt(0).toLowerCase()}${up.slice(1)}`,
-        label: `Sets of the posterior by ${across} and ${up}`,
+        title: `${x.title}, and ${y.title}`,
+        label: `Sets of the posterior by ${x.title} and ${y.title}`,
         caption: 'Each dot is a set of the posterior; its area is its weight.',
         tall: 300,
-        fill: (node, room) => parameterPairs(node, room, { x: { title: across, unit: x.unit }, y: { title: up, unit: y.unit }, sets }),
+        fill: (node, room) => parameterPairs(node, room, { x, y, sets }),
         rows: () => [[x.name, y.name, 'weight'], ...sets.map((set) => [set.x, set.y, set.weight])],
       });
     }),
@@ -166,17 +163,14 @@ function zones(parent: Group, group: CalibratedGroup, list: readonly CalibratedZ
     numeric: (column) => column > 0,
   });
   element(parent, 'p', depositsText(group) + distanceText(group));
-  const shown = list.map(
-    ({ name, observed_share: observed, predicted_share: { p05, p50, p95 } }): ZoneShare => ({ name, observed, predicted: [p05, p50, p95] }),
-  );
   figure(parent, {
     title: `Deposits by zone, ${placeOf(group)}`,
     label: `Shares of deposits by zone: observed, and predicted by the posterior`,
     caption: 'Predicted: 90 % of as many rocks as were observed would lie within the range.',
     width: drawing.wide,
-    tall: zoneSharesTall(shown),
-    fill: (node, room) => zoneShares(node, room, shown),
-    rows: () => zoneShareRows(shown),
+    tall: zoneSharesTall(list),
+    fill: (node, room) => zoneShares(node, room, list),
+    rows: () => zoneShareRows(list),
   });
 }
 
@@ -229,7 +223,7 @@ function heldOut(parent: Group) {
     head: [['Held out', 'Quantity', 'Observed', 'Predicted']],
     rows: features.map((each) => [
       each.observations,
-      withUnit({ title: each.name, unit: each.unit }),
+      titleOf({ title: each.name, unit: each.unit }),
       spreadText(each.observed_mean, each.observed_std_dev, ''),
       spreadText(each.predicted_mean, each.predicted_std_dev, ''),
     ]),

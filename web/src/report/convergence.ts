@@ -1,17 +1,15 @@
 // How the figures develop with the number of rocks, and how many rocks would make them precise.
 
+import { figureTitle, type ConvergenceStep, type FigureConvergence, type NamedFigure } from '../archive/uncertainty';
 import * as d3 from '../figures/d3';
 import { axes, extentOf, type Group } from '../figures/plot';
 import { tip } from '../figures/tip';
-import type { ConvergenceStep, FigureConvergence, NamedFigure } from './data';
 import { element, figure } from './figure';
 import { count, displayOf, isNumber, measured, number } from './format';
 import { runs, single, type Run } from './run';
 import { table, type Row } from './tables';
 
 export const figureUnit = ({ unit }: NamedFigure) => displayOf(unit || 'share');
-export const figureTitle = ({ text, line }: NamedFigure) =>
-  text.charAt(0).toUpperCase() + text.slice(1) + (line ? `: ${line}` : '');
 
 const endText = (end: number | null) => (isNumber(end) ? measured(end, 4) : '…');
 

@@ -1,6 +1,8 @@
 // The data that the engine embeds in a report (src/talus/report/report.cpp).
 
+import type { ObservedComparison } from '../archive/observed';
 import type { SummaryOf } from '../archive/summary';
+import type { Convergence, Uncertainty } from '../archive/uncertainty';
 
 /// Rows of a file with the names of their columns.
 interface Table {
@@ -26,64 +28,9 @@ export interface MapData {
   levels: string;
 }
 
-/// Number of rocks, value, and the ends of its interval.
-export type ConvergenceStep = [number, number, number | null, number | null];
-/// A figure of the whole run, or at a line.
-export interface NamedFigure {
-  line: string;
-  text: string;
-  /// Empty: a share.
-  unit: string;
-}
-export interface FigureConvergence extends NamedFigure {
-  steps: ConvergenceStep[];
-  rocks_needed: number | null;
-}
-/// Value, low and high end.
-export type Ends = [number, number, number];
-export interface FigureUncertainty extends NamedFigure {
-  ensembles: number;
-  total: Ends;
-  parameters: Ends;
-  rocks: Ends;
-  /// Of the variance between ensembles.
-  parameter_share: number;
-}
-
-/// Observed stops, and distances between them and the simulated ones, beside what chance alone gives.
-export interface ObservedData {
-  file: string;
+/// Observed stops, and what they are compared by.
+export interface ObservedData extends ObservedComparison {
   stops: Table;
-  rocks: number;
-  draws: number;
-  /// How runout is measured; null: not at all.
-  runout: string | null;
-  quantities: ObservedQuantity[];
-}
-/// A distance between simulated and observed rocks, the median and the 95th percentile of the same by chance, and the
-/// share of draws that are as far.
-export interface ObservedDistance {
-  value: number;
-  median: number;
-  p95: number;
-  p_value: number;
-}
-export interface ObservedFacts {
-  mean: number;
-  p05: number;
-  median: number;
-  p95: number;
-  /// Values with the share of rocks up to each.
-  cumulative: [number, number][];
-}
-/// All lengths are in metres.
-export interface ObservedQuantity {
-  key: 'position' | 'x' | 'runout' | 'lateral';
-  energy_distance: ObservedDistance;
-  /// Of a position on plan missing, as are all below.
-  kolmogorov_smirnov?: ObservedDistance;
-  simulated?: ObservedFacts;
-  observed?: ObservedFacts;
 }
 
 export interface RunData {
@@ -96,8 +43,8 @@ export interface RunData {
   losses: Table & { of_shown_paths: number; by_number_columns: string[]; by_number: unknown[][] };
   maps: MapData[];
   envelopes: Table & { cells_each: number };
-  convergence: { confidence: number; tolerance: number; figures: FigureConvergence[] };
-  uncertainty: { ensembles: number; confidence: number; figures: FigureUncertainty[] };
+  convergence: Convergence;
+  uncertainty: Uncertainty;
   notes: string[];
   observed?: ObservedData;
 }

@@ -5,7 +5,6 @@
 import type { Setting } from '../archive/summary';
 import * as d3 from '../figures/d3';
 import type { Scale } from '../figures/plot';
-import { wordsOf } from '../settings/keyWords';
 import { measured as measuredText, numberText } from '../units/numbers';
 import { displayedIn, type UnitSystem } from '../units/units';
 
@@ -28,7 +27,33 @@ export const axisIn = (unit: string, scale: Scale): Scale =>
     .domain(scale.domain().map((end) => amountIn(unit, end)))
     .range(scale.range());
 
-export { unitOf, wordsOf } from '../settings/keyWords';
+// Units by the ending of a setting's name, the longer endings first.
+const unitsByEnding = [
+  ['_m_s2', 'm/s²'],
+  ['_kg_m3', 'kg/m³'],
+  ['_kg_s', 'kg/s'],
+  ['_deg_s', '°/s'],
+  ['_rad_s', 'rad/s'],
+  ['_m_s', 'm/s'],
+  ['_per_s', '1/s'],
+  ['_kJ', 'kJ'],
+  ['_J', 'J'],
+  ['_kg', 'kg'],
+  ['_m3', 'm³'],
+  ['_deg', '°'],
+  ['_s', 's'],
+  ['_m', 'm'],
+] as const;
+const endingOf = (key: string) => unitsByEnding.find(([ending]) => key.endsWith(ending));
+
+export const unitOf = (key: string) => endingOf(key)?.[1] ?? '';
+
+/// "normal_velocity_cutoff_m_s" is shown as "Normal velocity cutoff".
+export function wordsOf(key: string): string {
+  const ending = endingOf(key)?.[0] ?? '';
+  const words = key.slice(0, key.length - ending.length).replace(/_/g, ' ');
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
 
 /// A setting with up to `digits` significant digits; a dash if it is missing.
 export function number(value: number | string | null | undefined, digits = 6): string {

@@ -1,11 +1,12 @@
 // Observed stops over the simulated end points, their distributions, and the distance between both beside that by chance.
 
+import { quantityTitle, type ObservedDistance, type ObservedFacts } from '../archive/observed';
 import { cumulative, cumulativeRows } from '../figures/cumulative';
 import * as d3 from '../figures/d3';
 import { legend, sign, type Group } from '../figures/plot';
 import { tip } from '../figures/tip';
 import { contoursWithin } from './contours';
-import type { ObservedData, ObservedDistance, ObservedFacts, ObservedQuantity, Stop } from './data';
+import type { ObservedData, Stop } from './data';
 import { drawing, element, figure } from './figure';
 import { count, displayOf, isNumber, number, resultIn, unitIn } from './format';
 import { finishMap, groundOf, layRelief, mapFrame, noteMap, openMap } from './mapframe';
@@ -84,14 +85,6 @@ function observedPlan(parent: Group, run: Run): number {
   return width;
 }
 
-const titleOf = ({ key }: ObservedQuantity, { runout }: ObservedData) =>
-  ({
-    position: 'Position on plan',
-    x: 'x of the end point',
-    runout: `Runout ${runout}`,
-    lateral: 'Distance beside the line',
-  })[key];
-
 /// A quantity with distributions along a line.
 interface OnLine {
   key: string;
@@ -102,7 +95,7 @@ interface OnLine {
 const onLines = (data: ObservedData): OnLine[] =>
   data.quantities.flatMap((quantity) => {
     const { key, simulated, observed } = quantity;
-    return simulated && observed ? [{ key, title: titleOf(quantity, data), simulated, observed }] : [];
+    return simulated && observed ? [{ key, title: quantityTitle(quantity, data), simulated, observed }] : [];
   });
 
 function observedCurves(parent: Group, run: Run, data: ObservedData) {
@@ -134,7 +127,7 @@ function distanceTable(parent: Group, run: Run, data: ObservedData) {
     caption: `Distance between observed and simulated${ofRun(run)}`,
     head: [['', 'Observed', 'By chance, median', 'By chance, 95 %', 'Chance is as far']],
     rows: data.quantities.flatMap((quantity) => {
-      const title = titleOf(quantity, data);
+      const title = quantityTitle(quantity, data);
       const { energy_distance, kolmogorov_smirnov } = quantity;
       return [
         row(`${title}, energy distance`, energy_distance, 'm'),

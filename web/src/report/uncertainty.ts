@@ -1,11 +1,11 @@
 // Figures of a run with uncertain parameters: the range between ensembles, and the parts of rocks and of parameters.
 
+import { figureTitle, type FigureUncertainty, type RangeOf } from '../archive/uncertainty';
 import * as d3 from '../figures/d3';
 import { axes, legend, sign, type Group } from '../figures/plot';
 import { tip } from '../figures/tip';
 import { shortened } from '../figures/tornado';
-import { figureTitle, figureUnit } from './convergence';
-import type { Ends, FigureUncertainty } from './data';
+import { figureUnit } from './convergence';
 import { drawing, element, figure } from './figure';
 import { count, measured, number, settingText } from './format';
 import { runs, single, tableOf, type Run } from './run';
@@ -13,7 +13,7 @@ import { table, type Row } from './tables';
 
 function uncertaintyRow(each: FigureUncertainty): Row {
   const { unit, per } = figureUnit(each);
-  const range = ([, low, high]: Ends) => `${measured(low / per, 4)} to ${measured(high / per, 4)}`;
+  const range = ([, low, high]: RangeOf) => `${measured(low / per, 4)} to ${measured(high / per, 4)}`;
   return [
     figureTitle(each),
     `${measured(each.total[0] / per, 4)} ${unit}`,

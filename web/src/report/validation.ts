@@ -1,94 +1,18 @@
 // The page of a field experiment: each site predicted from the others, by each model.
 
-import type { Band } from '../archive/calibration';
 import { bareWarning } from '../archive/bareWarning';
+import type { Experiment, Prediction } from '../archive/validation';
 import { predictedShareRows, predictedShares } from '../figures/bands';
-import { titleOf as withUnit, type Group } from '../figures/plot';
-import { runRangeRows, runRanges, type RunRange } from '../figures/runRanges';
-import { stopRows, stopsOnPlan, stopsTall, type StopsOnPlan } from '../figures/stopsOnPlan';
+import { titleOf, type Group } from '../figures/plot';
+import { runRangeRows, runRanges } from '../figures/runRanges';
+import { stopRows, stopsOnPlan, stopsTall } from '../figures/stopsOnPlan';
 import { fixedText } from '../units/numbers';
-import { pathWords } from '../settings/keyWords';
-import { unitText } from '../settings/titles';
+import { titled } from '../settings/titles';
 import { embedded } from './data';
 import { drawing, element, figure, nameFigures } from './figure';
 import { number } from './format';
 import { section, showStudy } from './studyPage';
 import { table } from './tables';
-
-/// A row of results.csv. Runouts are on plan [m].
-interface Result {
-  model: string;
-  predicted: string;
-  runs: number;
-  in_50: number;
-  in_90: number;
-  observed_mean_m: number;
-  observed_std_dev_m: number;
-  mean_m: number;
-  mean_p05_m: number;
-  mean_p95_m: number;
-  std_dev_m: number;
-  std_dev_p05_m: number;
-  std_dev_p95_m: number;
-  in_50_least: number;
-  in_50_most: number;
-  in_90_least: number;
-  in_90_most: number;
-  crps_m: number;
-  crps_prior_m: number;
-  crps_constant_m: number;
-  place_m: number;
-  place_prior_m: number;
-  place_constant_m: number;
-  rmse_m: number;
-  rmse_constant_m: number;
-  mae_m: number;
-  mae_constant_m: number;
-}
-/// A row of groups.csv.
-interface GroupResult {
-  model: string;
-  group: string;
-  runs: number;
-  observed_mean_m: number;
-  mean_m: number;
-  rmse_m: number;
-  rmse_constant_m: number;
-}
-interface Published {
-  name: string;
-  observed_mean_m: number;
-  predicted_mean_m: number;
-  mean_abs_error_m: number | null;
-  source: string;
-}
-interface Prediction {
-  model: string;
-  site: string;
-  from: string;
-  /// Mean runout of the runs that were calibrated on [m].
-  mean_of_the_others: number;
-  runs: RunRange[];
-  distribution: { observed: number[]; at: number[]; posterior: Band };
-  plan: StopsOnPlan;
-  parameters: { name: string; unit: string; prior: { p05: number; p95: number }; posterior: { p05: number; p50: number; p95: number } }[];
-  warnings: string[];
-}
-interface Experiment {
-  talus: string;
-  title: string;
-  summary: string;
-  limits: string[];
-  results: Result[];
-  groups: GroupResult[];
-  published: Published[];
-  predictions: Prediction[];
-  split: string;
-  sought: string[];
-  not_sought: string[];
-  citations: string[];
-  licence: string;
-}
 
 const page = embedded<Experiment>();
 
@@ -212,8 +136,8 @@ function prediction(parent: Group, of: Prediction) {
   table(facts, {
     caption: 'Parameters; ranges hold 90 %',
     head: [['Parameter', 'Prior', 'Posterior', 'Median']],
-    rows: of.parameters.map(({ name, unit, prior, posterior }) => [
-      { text: withUnit({ title: pathWords(name), unit: unitText(unit) }), full: name },
+    rows: of.parameters.map(titled).map(({ name, title, unit, prior, posterior }) => [
+      { text: titleOf({ title, unit }), full: name },
       `${number(prior.p05, 4)} to ${number(prior.p95, 4)}`,
       `${number(posterior.p05, 4)} to ${number(posterior.p95, 4)}`,
       number(posterior.p50, 4),
