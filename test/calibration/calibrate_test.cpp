@@ -1,23 +1,17 @@
-// Calibrations from files to results: recovery of known parameters, the same bits on any number of threads and after a
-// stop, files that other commands can read, and warnings.
+// Calibrations from files to results: recovery of known parameters, predictions, and warnings.
 
 #include "talus/calibration/calibrate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "calibration/slope.hpp"
-#include "support/browser.hpp"
-#include "support/input_folder.hpp"
+#include "calibration/calibrations.hpp"
 #include "support/projects.hpp"
 #include "talus/calibration/best_set.hpp"
 #include "talus/calibration/coverage.hpp"
@@ -32,80 +26,6 @@ namespace talus::calibration {
 namespace {
 
 using testing_tools::replaced;
-
-const std::string slope = scree_slope + cliff_release + road_collector;
-
-const std::string study_text = R"(
-rocks = 80
-draws = 240
-folds = 3
-[[site]]
-project = "slope.toml"
-[[observations]]
-stops = "stops.csv"
-[[parameter]]
-path = "material.Scree.tangential_restitution"
-range = [0.6, 0.9]
-[[parameter]]
-path = "material.Scree.roughness_deg"
-range = [1, 12]
-)";
-
-std::string bytes_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return std::move(text).str();
-}
-
-class Calibrations : public testing_tools::InputFolder {
- protected:
-  Calibrations() {
-    write("slope.toml", slope);
-    write("study.toml", study_text);
-  }
-
-  /// Observed stops of this many rocks with these values, and their arrivals at the road.
-  void observe(int rocks, double tangential, double roughness, std::uint64_t seed) {
-    project::Reading reading =
-        project::read_project_text(slope, "slope.toml",
-                                   {{"material.Scree.tangential_restitution.mean=" + std::to_string(tangential),
-                                     "material.Scree.roughness_deg=" + std::to_string(roughness)},
-                                    rocks,
-                                    seed});
-    const study::PreparedSite site(std::move(reading.project), warnings_);
-    const study::SetOutcome outcome = site.run({}, {}, {.keep_marks = true});
-    std::string stops = "x_m\n", marks = "x_m\n", values = "velocity_m_s,energy_kJ\n";
-    for (const study::RockEnd& end : outcome.ends) {
-      const auto [a, b] = uniform_pair(seed, end.rock, static_cast<Stream>(6000), 0);
-      const double error = 0.5 * std::sqrt(-2 * std::log(a)) * std::cos(2 * 3.141592653589793 * b);
-      stops += std::to_string(end.end.x() + error) + "\n";
-    }
-    for (const study::Crossing& crossing : outcome.crossings)
-      values += std::to_string(crossing.speed) + "," +
-                std::to_string((crossing.translational_energy + crossing.rotational_energy) / 1000) + "\n";
-    write("stops.csv", stops);
-    for (const study::Mark& mark : outcome.marks) {
-      if (mark.rock % 4 == 0) marks += std::to_string(mark.position.x()) + "\n";
-    }
-    write("values.csv", values);
-    write("marks.csv", marks);
-  }
-
-  PreparedStudy prepared() {
-    warnings_ = {};
-    return {read_study(path("study.toml")).study, nullptr, warnings_};
-  }
-
-  static bool holds(const CalibrationResult& result, std::size_t parameter, double truth) {
-    std::vector<double> values, weights;
-    for (const SetResult& set : result.sets) {
-      values.push_back(set.values[parameter]);
-      weights.push_back(set.weight);
-    }
-    return weighted_quantile(values, weights, 0.05) <= truth && truth <= weighted_quantile(values, weights, 0.95);
-  }
-};
 
 TEST_F(Calibrations, RecoverKnownParametersAndPredict) {
   observe(40, 0.75, 6, 11);
@@ -195,68 +115,8 @@ TEST_F(Calibrations, LearnFromImpactMarks) {
   EXPECT_LT(mean, 0.71);  // 0.75 is the middle of the prior
 }
 
-TEST_F(Calibrations, GiveTheSameFilesOnAnyNumberOfThreadsAndAfterAStop) {
-  observe(30, 0.7, 6, 13);
-  const PreparedStudy study = prepared();
-  static_cast<void>(calibrate_into(path("one"), study, {.threads = 1}));
-  static_cast<void>(calibrate_into(path("three"), study, {.threads = 3}));
-
-  std::atomic<bool> stop{false};
-  std::size_t reached = 0;
-  try {
-    const StopScope scope(&stop);
-    static_cast<void>(
-        calibrate_into(path("stopped"), study, {.threads = 2, .progress = [&](std::size_t done, std::size_t) {
-                                                  reached = done;
-                                                  if (done > 96) stop = true;
-                                                }}));
-    ADD_FAILURE() << "was not stopped";
-  } catch (const Stopped&) {
-  }
-  EXPECT_LT(reached, 240U);
-  EXPECT_FALSE(std::filesystem::exists(path("stopped/posterior.csv")));
-  static_cast<void>(calibrate_into(path("stopped"), study, {}));
-  for (const std::string file : {"posterior.csv", "sets.csv", "summary.json", "report.html", "best/site 1.toml"}) {
-    EXPECT_EQ(bytes_of(path("one") / file), bytes_of(path("three") / file)) << file;
-    EXPECT_EQ(bytes_of(path("one") / file), bytes_of(path("stopped") / file)) << file;
-    EXPECT_NE(bytes_of(path("one") / file), "") << file;
-  }
-}
-
-TEST_F(Calibrations, WriteTheBestFitAsAProjectInItsPlace) {
-  observe(30, 0.7, 6, 14);
-  std::filesystem::create_directories(path("terrain"));
-  const PreparedStudy study = prepared();
-  const CalibrationResult result = calibrate_into(path("out"), study, {});
-  project::Reading best = project::read_project(path("out/best/site 1.toml"));
-  EXPECT_EQ(best.project.materials[0].tangential_restitution.mean, result.sets[result.best].values[0]);
-  EXPECT_EQ(best.project.materials[0].tangential_restitution.std_dev, 0.04);
-  const std::string text = bytes_of(path("out/best/site 1.toml"));
-  EXPECT_NE(text.find("{ distribution = 'normal', mean = 0.3, std_dev = 0.04 }"), std::string::npos) << text;
-  EXPECT_EQ(best.project.materials[0].roughness_deg.mean, result.sets[result.best].values[1]);
-  EXPECT_NO_THROW(static_cast<void>(project::build_model(best.project, best.warnings)));
-  const std::string header = "weight,score,material.Scree.tangential_restitution,material.Scree.roughness_deg,fixed:";
-  EXPECT_EQ(bytes_of(path("out/posterior.csv")).substr(0, header.size()), header);
-}
-
 // The noise is that of a logarithm by the chance of so many rocks: another seed gives nearly the same, and four times
 // the rocks give half.
-TEST_F(Calibrations, DrawTheirReport) {
-  if (!testing_tools::has_browser()) GTEST_SKIP() << "there is no chromium";
-  observe(30, 0.7, 6, 14);
-  std::filesystem::create_directories(path("terrain"));
-  static_cast<void>(calibrate_into(path("out"), prepared(), {}));
-  EXPECT_EQ(testing_tools::said_in_page(path("out/report.html"), R"(
-    const main = document.getElementById('main');
-    const titles = [...main.querySelectorAll('figure h4')].map((each) => each.textContent).join('; ');
-    const isDrawn = [...main.querySelectorAll('figure svg')].every((svg) => svg.querySelector('.axis'));
-    const dots = main.querySelectorAll('#pairs circle').length > 10;
-    return [titles, isDrawn, dots, /NaN|undefined/.test(main.innerHTML)].join('; ');
-  )"),
-            "Scree: tangential restitution; Scree: roughness; Scree: tangential restitution, and Scree: roughness; "
-            "Runout, stops; true; true; false");
-}
-
 TEST_F(Calibrations, MeasureTheChanceOfTheirLikelihoods) {
   observe(30, 0.7, 6, 14);
   const auto noise = [&](int rocks, int seed) {
@@ -272,34 +132,6 @@ TEST_F(Calibrations, MeasureTheChanceOfTheirLikelihoods) {
 
 // A posterior is of the laws and values with which it was found: a project with others is refused, and one with the
 // same is not.
-TEST_F(Calibrations, KeepTheLawsOfTheirStudyInThePosterior) {
-  observe(30, 0.7, 6, 14);
-  write("study.toml", replaced(study_text, "project = \"slope.toml\"",
-                               "project = \"slope.toml\"\nset = [\"analysis.scale_rn_by_velocity=false\", "
-                               "\"material.Scree.friction_angle_deg=35\"]"));
-  static_cast<void>(calibrate_into(path("out"), prepared(), {}));
-  const std::string posterior = bytes_of(path("out/posterior.csv")), header = posterior.substr(0, posterior.find('\n'));
-  EXPECT_THAT(header, testing::HasSubstr(",fixed:analysis.scale_rn_by_velocity,"));
-  EXPECT_THAT(header, testing::HasSubstr(",fixed:material.Scree.friction_angle_deg.mean"));
-  EXPECT_THAT(header, testing::Not(testing::HasSubstr("fixed:material.Scree.roughness_deg")));
-  EXPECT_THAT(header, testing::Not(testing::HasSubstr("fixed:material.Scree.normal_restitution")));
-
-  write("predict.toml", slope + "[sampling]\nparameters = \"out/posterior.csv\"\nensembles = 10\n");
-  const auto build = [&](std::vector<std::string> settings) {
-    project::Reading reading = project::read_project(path("predict.toml"), {std::move(settings), {}, {}});
-    static_cast<void>(project::build_model(reading.project, reading.warnings));
-  };
-  EXPECT_EQ(
-      refusal_of([&] { build({}); }),
-      "predict.toml:24: [sampling]: parameters out/posterior.csv:2: its study has analysis.scale_rn_by_velocity = "
-      "false, and predict.toml has true (its parameters were found with that value). Give the project this value, "
-      "or calibrate with that of the project\n"
-      "predict.toml:24: [sampling]: parameters out/posterior.csv:2: its study has "
-      "material.Scree.friction_angle_deg.mean = 35.0, and predict.toml has 30.0 (its parameters were found with "
-      "that value). Give the project this value, or calibrate with that of the project");
-  EXPECT_NO_THROW(build({"analysis.scale_rn_by_velocity=false", "material.Scree.friction_angle_deg=35"}));
-}
-
 // Two slopes in space. The predictions of the second are the same bits wherever its own rocks stopped, since neither
 // the sets nor the axis of runouts nor the misfit nor the noise follow from them.
 TEST_F(Calibrations, PredictAHeldOutSiteWithoutItsObservations) {
