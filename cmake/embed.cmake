@@ -4,8 +4,7 @@
 # (cmake -DFOLDER=... -DFIGURES=... -DBUNDLES=... -DOUTPUT=... -P embed.cmake) it writes the C++ file with one string per
 # part.
 
-# The kinds of pages; each has its entry in web/src/report.
-set(TALUS_REPORT_PAGES report sensitivity models calibration validation)
+include(${CMAKE_CURRENT_LIST_DIR}/report_pages.cmake)
 
 if(CMAKE_SCRIPT_MODE_FILE)
   set(code "// Made by cmake/embed.cmake; do not edit.\n")

@@ -1,11 +1,12 @@
 # Bundles the report's pages as a build without npm does, with Debian's esbuild and D3, and compares what D3 offers in
 # them with that of npm: cmake -DWEB=... -DESBUILD=... -DD3_MODULES=... -DFOLDER=... -P without_npm.cmake
+include(${CMAKE_CURRENT_LIST_DIR}/../../cmake/report_pages.cmake)
 file(REMOVE_RECURSE "${FOLDER}")
 foreach(part archive figures generated geometry report settings units)
   file(COPY "${WEB}/src/${part}" DESTINATION "${FOLDER}")  # away from node_modules
 endforeach()
 set(pages)
-foreach(page report sensitivity models calibration validation)
+foreach(page IN LISTS TALUS_REPORT_PAGES)
   list(APPEND pages "${FOLDER}/report/${page}.ts")
 endforeach()
 set(without_npm "${CMAKE_COMMAND};-E;env;NODE_PATH=${D3_MODULES};${ESBUILD}")
