@@ -2,10 +2,11 @@
 // with their checksums.
 
 import type { Summary } from '../api/results';
+import { entriesIn } from '../archive/summary';
 import { counted, numberText } from '../units/numbers';
 import { bytesText } from '../units/texts';
 import { firstOf } from './firstOf';
-import { blocksText, forestsOf, lawsOf, materialsOf, modelOf, tablesOf } from './sheetInputs';
+import { blocksText, forestsOf, lawsOf, materialsOf, modelOf, originText, type MaterialRow } from './sheetInputs';
 import { blockShape, releaseText } from './sheetReleases';
 
 const [mostSeeders, mostMaterials, mostForests, mostSources, mostFiles] = [4, 5, 4, 4, 5];
@@ -35,7 +36,7 @@ function Model({ of: { project, rocks, seed } }: { of: Summary }) {
 }
 
 function Blocks({ of: { project, releases } }: { of: Summary }) {
-  const seeders = tablesOf(project, 'seeder');
+  const seeders = entriesIn(project, 'seeder');
   return (
     <section>
       <h3>Blocks and releases</h3>
@@ -71,15 +72,18 @@ function Ground({ of: { project, inputs } }: { of: Summary }) {
   const forests = forestsOf(project);
   const sources = inputs?.material_sources ?? [];
   const texts = [...new Set(sources.map(({ source }) => source))];
-  const marks = (name: string) => [...new Set(sources.filter(({ material }) => material === name).map(({ source }) => texts.indexOf(source) + 1))];
-  const sourceText = (name: string, like: string) => (marks(name).length > 0 ? `as ${like.replaceAll('_', ' ')} [${marks(name).join(', ')}]` : 'own values');
+  const origin = (row: MaterialRow) => {
+    const of = sources.filter(({ material }) => material === row.name);
+    const marks = new Set(of.map(({ source }) => texts.indexOf(source) + 1));
+    return originText(row, columns, new Set(of.flatMap(({ keys }) => keys)), [...marks]);
+  };
   return (
     <section>
       <h3>Ground</h3>
       <table class="materials">
         <thead>
           <tr>
-            {['Material', ...columns, 'Source'].map((title) => (
+            {['Material', ...columns.map(([, title]) => title), 'Source'].map((title) => (
               <th key={title} scope="col">
                 {title}
               </th>
@@ -87,13 +91,13 @@ function Ground({ of: { project, inputs } }: { of: Summary }) {
           </tr>
         </thead>
         <tbody>
-          {rows.slice(0, mostMaterials).map(({ name, like, values }) => (
-            <tr key={name}>
-              <th scope="row">{name}</th>
-              {values.map((value, k) => (
-                <td key={columns[k]}>{value}</td>
+          {rows.slice(0, mostMaterials).map((row) => (
+            <tr key={row.name}>
+              <th scope="row">{row.name}</th>
+              {row.values.map((value, k) => (
+                <td key={k}>{value}</td>
               ))}
-              <td>{sourceText(name, like)}</td>
+              <td>{origin(row)}</td>
             </tr>
           ))}
         </tbody>

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { blocksText, drawnText, forestsOf, lawsOf, materialsOf, modelOf } from './sheetInputs';
+import { blocksText, drawnText, forestsOf, lawsOf, materialsOf, modelOf, originText } from './sheetInputs';
 import { blockShape, releaseText } from './sheetReleases';
 
 const material = {
@@ -34,8 +34,19 @@ test('rocks have their sizes', () => {
 test('materials have the properties that the rock model uses', () => {
   expect(modelOf(project('rigid_sphere'))).toBe('rigid sphere');
   const of = (model: string) => materialsOf(project(model));
-  expect(of('lumped_mass')).toEqual({ columns: ['Rn', 'Rt', 'φ, °'], rows: [{ name: 'Scree', like: '', values: ['0.35, normal, σ 0.04', '0.85', '30'] }] });
-  expect(of('rigid_sphere').columns).toContain('μ rolling');
+  const titles = (model: string) => of(model).columns.map(([, title]) => title);
+  expect(titles('lumped_mass')).toEqual(['Rn', 'Rt', 'φ, °']);
+  expect(of('lumped_mass').rows).toEqual([{ name: 'Scree', like: '', values: ['0.35, normal, σ 0.04', '0.85', '30'] }]);
+  expect(titles('rigid_sphere')).toContain('μ rolling');
+});
+
+test('values of a material that are not of the library are named, defaults as such', () => {
+  const { columns, rows } = materialsOf(project('lumped_mass'));
+  const [rn] = rows[0]!.values;
+  const row = { ...rows[0]!, like: 'talus_cover', values: [rn!, '0.8', '30'] };
+  expect(originText(row, columns, new Set(['normal_restitution', 'tangential_restitution']), [1, 2])).toBe('as talus cover [1, 2]; φ default');
+  expect(originText(row, columns, new Set(['normal_restitution']), [3])).toBe('as talus cover [3]; Rt own; φ default');
+  expect(originText(row, columns, new Set(), [])).toBe('own values; φ default');
 });
 
 test('forests have their density or drag, and their height', () => {

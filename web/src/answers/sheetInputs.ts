@@ -1,5 +1,6 @@
 // What a run was of, in few words for a sheet: its rock model, rocks and materials, from the project in its summary.
 
+import { entriesIn } from '../archive/summary';
 import { numberText } from '../units/numbers';
 import { applies } from '../settings/applies';
 import { constantKind, type KeyOf } from '../settings/names';
@@ -9,8 +10,6 @@ import type { TomlTable, TomlValue } from '../toml/format';
 
 /// Numbers may be texts, with the digits of the file.
 export type Echo = Record<string, unknown>;
-
-export const tablesOf = (project: Echo, key: string): Echo[] => (Array.isArray(project[key]) ? (project[key] as Echo[]) : []);
 
 export const isGiven = (value: unknown) => value !== undefined && value !== null;
 
@@ -85,21 +84,39 @@ const properties: readonly (readonly [KeyOf<'material'>, string])[] = [
 
 /// The forests over the ground: "Spruce: medium, 18 m high".
 export function forestsOf(project: Echo): string[] {
-  return tablesOf(project, 'forest').map(({ name, density, drag_kg_s, height_m }) => {
+  return entriesIn(project, 'forest').map(({ name, density, drag_kg_s, height_m }) => {
     const drag = drag_kg_s === undefined || drag_kg_s === null ? (density === 'none' ? 'clearing' : String(density)) : `${drawnText(drag_kg_s)} kg/s`;
     return [`${String(name)}: ${drag}`, height_m !== undefined && height_m !== null && `${drawnText(height_m)} m high`].filter(Boolean).join(', ');
   });
 }
 
+/// A material with the values of the shown properties; "–": without an effect.
+export interface MaterialRow {
+  name: string;
+  like: string;
+  values: string[];
+}
+type Property = (typeof properties)[number];
+
 /// The materials with their properties that have an effect.
-export function materialsOf(project: Echo): { columns: string[]; rows: { name: string; like: string; values: string[] }[] } {
-  const materials = tablesOf(project, 'material');
+export function materialsOf(project: Echo): { columns: readonly Property[]; rows: MaterialRow[] } {
+  const materials = entriesIn(project, 'material');
   const hasEffect = (key: KeyOf<'material'>, row: Echo) =>
     row[key] !== undefined && row[key] !== null && applies(fieldOf('material', key)?.needs ?? [], 'material', row as TomlTable, project as Record<string, TomlValue>);
   // A property that is 0 everywhere says nothing.
-  const shown = properties.filter(([key]) => materials.some((row) => hasEffect(key, row) && drawnText(row[key]) !== '0'));
+  const columns = properties.filter(([key]) => materials.some((row) => hasEffect(key, row) && drawnText(row[key]) !== '0'));
   return {
-    columns: shown.map(([, title]) => title),
-    rows: materials.map((row) => ({ name: String(row.name), like: typeof row.like === 'string' ? row.like : '', values: shown.map(([key]) => (hasEffect(key, row) ? drawnText(row[key]) : '–')) })),
+    columns,
+    rows: materials.map((row) => ({ name: String(row.name), like: typeof row.like === 'string' ? row.like : '', values: columns.map(([key]) => (hasEffect(key, row) ? drawnText(row[key]) : '–')) })),
   };
+}
+
+/// Where the values of a material are from: "as talus cover [1, 2]; φ default". `fromLibrary`: the keys of those that
+/// are of the library, by sources with the numbers `marks`.
+export function originText({ like, values }: MaterialRow, columns: readonly Property[], fromLibrary: ReadonlySet<string>, marks: readonly number[]): string {
+  const others = columns.map(([key, title], k) => ({ key, name: title.split(',')[0]!, value: values[k] })).filter(({ key, value }) => value !== '–' && !fromLibrary.has(key));
+  const isDefault = ({ key, value }: (typeof others)[number]) => value === drawnText(fieldOf('material', key)?.default);
+  const [usual, own] = [others.filter(isDefault), others.filter((each) => !isDefault(each))].map((list) => list.map(({ name }) => name).join(', '));
+  if (marks.length === 0) return [own && 'own values', usual && `${usual} default`].filter(Boolean).join('; ');
+  return [`as ${wordText(like)} [${marks.join(', ')}]`, own && `${own} own`, usual && `${usual} default`].filter(Boolean).join('; ');
 }

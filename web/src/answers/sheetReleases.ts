@@ -1,7 +1,8 @@
 // Blocks and releases of a run in few words for a sheet, from the project in its summary.
 
+import { entriesIn } from '../archive/summary';
 import type { Echo } from './sheetInputs';
-import { drawnText, isGiven, tablesOf } from './sheetInputs';
+import { drawnText, isGiven } from './sheetInputs';
 import { wordText } from '../settings/words';
 
 const joined = (parts: readonly (string | false | null | undefined)[]) => parts.filter(Boolean).join(', ');
@@ -19,7 +20,7 @@ const valueText = (value: unknown): string => (Array.isArray(value) ? value.map(
 
 /// "slab (b/a 0.8, c/b 0.4)"; a word of the program as it is.
 export function shapeText(project: Echo, name: string): string {
-  const own = tablesOf(project, 'shape').find((each) => each.name === name);
+  const own = entriesIn(project, 'shape').find((each) => each.name === name);
   if (!own) return wordText(name);
   const facts = shapeFacts.filter(([key]) => isGiven(own[key]) && own[key] !== 'none').map(([key, title]) => `${title} ${valueText(own[key])}`);
   return facts.length > 0 ? `${name} (${facts.join('; ')})` : name;

@@ -25,7 +25,7 @@ export type Settings = Readonly<Record<string, Setting>>;
 export type Project = Readonly<Record<string, Settings | readonly Settings[]>>;
 
 /// The entries of a repeated table, such as [[material]]; none if it is missing.
-export function entriesIn(project: Project, table: string): readonly Settings[] {
+export function entriesIn(project: Readonly<Record<string, unknown>>, table: string): readonly Settings[] {
   const found = project[table];
   return Array.isArray(found) ? (found as readonly Settings[]) : [];
 }
