@@ -146,9 +146,11 @@ TEST(EnsembleSpread, IsInTheAnswerOfALine) {
   const auto json = answer_of(slope_with_ensembles(8, 0.05)).at("ensembles");
   EXPECT_EQ(json["ensembles"], 8);
   EXPECT_EQ(json["confidence"], 0.9);
-  for (const char* key :
-       {"share", "ke_translational_J", "ke_total_J", "height_m", "velocity_m_s", "needs_energy_J", "needs_height_m"})
+  for (const char* key : {"share", "ke_translational_J", "ke_total_J", "height_m", "velocity_m_s", "needs_energy_J",
+                          "needs_class", "needs_height_m"})
     EXPECT_EQ(json.at(key).size(), 3u) << key;
+  for (int k = 0; k < 3; ++k)
+    EXPECT_EQ(json["needs_class"][k], needed_class({}, json["needs_energy_J"][k].get<double>()));
   EXPECT_TRUE(answer_of(bouncing_slope).at("ensembles").is_null());
 }
 

@@ -40,19 +40,6 @@ CheckFactors factors_from(const Json& json) {
   return factors;
 }
 
-Json applied_json(const std::vector<AppliedFactor>& applied) {
-  Json list = Json::array();
-  for (const AppliedFactor& factor : applied) {
-    list.push_back({{"symbol", factor.symbol},
-                    {"key", factor.key},
-                    {"multiplies", factor.multiplies},
-                    {"value", factor.value},
-                    {"source", factor.source},
-                    {"not_read", factor.not_read}});
-  }
-  return list;
-}
-
 std::vector<AppliedFactor> applied_from(const Json& json) {
   std::vector<AppliedFactor> applied;
   for (const Json& given : json) {
@@ -147,6 +134,19 @@ bool pairs_are_possible(const DesignPlan& plan) {
 }
 
 }  // namespace
+
+Json applied_json(const std::vector<AppliedFactor>& applied) {
+  Json list = Json::array();
+  for (const AppliedFactor& factor : applied) {
+    list.push_back({{"symbol", factor.symbol},
+                    {"key", factor.key},
+                    {"multiplies", factor.multiplies},
+                    {"value", factor.value},
+                    {"source", factor.source},
+                    {"not_read", factor.not_read}});
+  }
+  return list;
+}
 
 Json factors_json(const CheckFactors& factors) {
   return {{"velocity", factors.velocity},

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "talus/results/design_result.hpp"
 
@@ -24,6 +25,8 @@ namespace talus {
 
 /// The factors of the check.
 [[nodiscard]] nlohmann::ordered_json factors_json(const CheckFactors& factors);
+/// Each with its symbol, what it multiplies and its source.
+[[nodiscard]] nlohmann::ordered_json applied_json(const std::vector<AppliedFactor>& applied);
 /// `value`, `low` and `high`; null without rocks.
 [[nodiscard]] nlohmann::ordered_json share_json(const std::optional<RockShare>& share);
 /// `energy_J`, `class` and `height_m`; null without a demand.

@@ -121,6 +121,10 @@ LineSpread ensemble_spread(const Model& model, std::span<const std::uint64_t> ro
     spread.percentile[q] = spread_of(std::move(percentiles[q]), of_all[q].value);
   const KitDemand demand = demand_of(of_all, answer.plan.factors);
   spread.needed_energy = spread_of(std::move(energies), demand.maximum_energy);
+  if (const auto& energy = spread.needed_energy) {
+    const auto of = [&](double needed) { return needed_class(answer.plan.factors, needed); };
+    spread.needed_class = {of(energy->value), of(*energy->low), of(*energy->high)};
+  }
   spread.needed_height = spread_of(std::move(heights), demand.height);
   return spread;
 }
@@ -156,6 +160,7 @@ AreaSpread ensemble_spread(const Model& model, std::span<const std::uint64_t> ro
 nlohmann::ordered_json spread_json(const LineSpread& spread) {
   nlohmann::ordered_json json = common_json(spread);
   json["needs_energy_J"] = json_of(spread.needed_energy);
+  json["needs_class"] = spread.needed_class ? nlohmann::ordered_json(*spread.needed_class) : nlohmann::ordered_json();
   json["needs_height_m"] = json_of(spread.needed_height);
   return json;
 }

@@ -25,6 +25,7 @@ struct EnsembleSpread {
 };
 struct LineSpread : EnsembleSpread {
   std::optional<Estimate> needed_energy, needed_height;  // of the fence that the check asks for
+  std::optional<std::array<int, 3>> needed_class;        // of needed_energy: its value and both ends
 };
 struct AreaSpread : EnsembleSpread {
   std::optional<Estimate> stopping;  // the share that stops in the area

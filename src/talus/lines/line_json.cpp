@@ -270,6 +270,7 @@ Json line_json(const Model& model, const AskedLine& line, const LineAnswer& answ
             {"foot", places_json(model, foot_of(line.barrier))},
             {"standard", plan.standard.empty() ? Json() : Json(plan.standard)},
             {"factors", factors_json(plan.factors)},
+            {"applied_factors", applied_json(plan.applied)},
             {"design_percentile", plan.design_percentile},
             {"confidence", plan.confidence},
             {"design", numbers_json(answer)},

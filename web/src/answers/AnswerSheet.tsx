@@ -8,7 +8,7 @@ import { pointsOf } from '../askLine/askTools';
 import { placeName, type Asked } from '../askLine/shape';
 import { percentText } from '../askLine/kit';
 import { sourcePlaces, sourceText } from '../askLine/sources';
-import { file } from '../project/document';
+import { file, savedHash } from '../project/document';
 import { model } from '../project/model';
 import { hasResults, shown } from '../runs/runs';
 import { about } from '../state/about';
@@ -20,6 +20,7 @@ import type { Doubt } from './doubts';
 import { OneCard } from './OneCard';
 import { firstOf } from './firstOf';
 import { PrintedInputs } from './PrintedInputs';
+import { modelOf } from './sheetInputs';
 import { PrintedMoves } from './PrintedMoves';
 import { arePending, missingOnPaper, printedText, type Ranges } from './ranges';
 
@@ -98,13 +99,16 @@ function rowsText(of: AskedAnswer, ranges: Ranges): string[] {
     spread ? `Inputs: the range of ${percentText(spread.confidence)} of the ${spread.ensembles} ensembles of this run, each with its own parameters; the chance of their rocks is in it.` : '',
     part && !spread ? `Inputs: ${part}, with each input a step lower and higher${ground ? `, the ground of ${ground} alone` : ''}. Models: with the other rock models. Both in the table of the next page.` : '',
     part && spread ? `Models: ${part}, with the other rock models, in the table of the next page, which also has each input a step lower and higher.` : '',
+    part ? 'With chance: to the outermost ends of the intervals of sampling of these sets.' : '',
     printedText(ranges),
   ].filter(Boolean);
 }
 
 function Foot({ page }: { page: number }) {
   const run = shown.value!;
-  const facts = [file.value, `run ${run.name}`, run.begun.slice(0, 10), displayOf('m').unit !== 'm' && 'places and inputs metric', `Talus ${about.value?.version ?? ''}`];
+  // A run of a text that is not the file's keeps its project in its own folder.
+  const source = savedHash.value === null ? 'project not saved' : file.value;
+  const facts = [source, `run ${run.name}`, run.begun.slice(0, 10), displayOf('m').unit !== 'm' && 'places and inputs metric', `Talus ${about.value?.version ?? ''}`];
   return (
     <footer>
       <span>{facts.filter(Boolean).join(' · ')}</span>
@@ -139,6 +143,9 @@ export function AnswerSheet({ of, now, summary, ranges, doubts, asItStands, pict
       <article>
         {head}
         <Place of={of} now={now} asItStands={asItStands} />
+        <p>
+          <strong>Rock model</strong> {modelOf(summary.project)}, {counted(Number(summary.rocks.done), 'rock')}.
+        </p>
         <div class="answer-cards">
           {cards.map((card) => (
             <OneCard key={card.key} of={card} missing={missingOnPaper[ranges.state]} isPart={arePending(ranges)} />

@@ -1,12 +1,12 @@
 // An answer as a card: its figures, and below each its interval and its ranges.
 
-import type { Card, CardFigure } from './cards';
+import type { Card, CardFigure, CardRange } from './cards';
 
-const rows = [
-  { name: 'sampling', title: 'By chance, with as many rocks as this run has', text: (of: CardFigure) => of.sampling, why: () => '' },
-  { name: 'inputs', title: 'With each input a step lower or higher, the same rocks', text: (of: CardFigure) => of.inputs, why: (of: CardFigure) => of.inputsWhy },
-  { name: 'models', title: 'With the other rock models, the same rocks', text: (of: CardFigure) => of.models, why: (of: CardFigure) => of.modelsWhy },
-] as const;
+const rows: readonly { name: string; title: string; of: (figure: CardFigure) => CardRange | null }[] = [
+  { name: 'sampling', title: 'By chance, with as many rocks as this run has', of: ({ sampling }) => ({ text: sampling, withChance: '', why: '' }) },
+  { name: 'inputs', title: 'With each input a step lower or higher, the same rocks', of: ({ inputs }) => inputs },
+  { name: 'models', title: 'With the other rock models, the same rocks', of: ({ models }) => models },
+];
 
 interface Props {
   of: Card;
@@ -33,16 +33,17 @@ export function OneCard({ of, missing, isPart }: Props) {
           </tr>
         </thead>
         <tbody>
-          {rows.map(({ name, title, text, why }) => (
+          {rows.map(({ name, title, of: rangeOf }) => (
             <tr key={name} class={name}>
               <th scope="row" title={title}>
                 {name}
               </th>
               {of.figures.map((figure) => {
-                const found = text(figure);
+                const found = rangeOf(figure);
                 return (
-                  <td key={figure.name} title={why(figure) || title} class={found === null ? 'faint' : isPart && name !== 'sampling' ? 'part' : ''}>
-                    {found ?? missing}
+                  <td key={figure.name} title={found?.why || title} class={found === null ? 'faint' : isPart && name !== 'sampling' ? 'part' : ''}>
+                    {found?.text ?? missing}
+                    {found?.withChance && <span class="with-chance">{found.withChance}</span>}
                   </td>
                 );
               })}

@@ -22,7 +22,8 @@ const figures = (share: number, height: number | null): Figures => {
     ke_total_J: energy,
     height_m: height === null ? null : interval(height, 0.2),
     velocity_m_s: null,
-    needs: height === null ? null : { energy_J: 1.5e5 * height, class: 1, height_m: 1.2 * height + 0.5 },
+    needs: height === null ? null : { energy_J: 1.5e5 * height, class: Math.round(height), height_m: 1.2 * height + 0.5 },
+    needs_at_upper_end: height === null ? null : { energy_J: 2e5 * height, class: Math.round(height) + 1, height_m: 1.2 * height + 0.7 },
   };
 };
 const nothing = { gained: 0, lost: 0, share: null, energy_J: null, ke_translational_J: null, ke_total_J: null, height_m: null, velocity_m_s: null };
@@ -64,6 +65,9 @@ const line = (height: number, block: number | null = 0.5): LineAnswer =>
     kind: 'line',
     run: { rocks: 1000, stored: 1000 },
     standard: 'UNI 11211-4',
+    applied_factors: [{ symbol: 'γ_R', value: 1.3 }, { symbol: 'γ_QF', value: 1 }],
+    sections: [],
+    worst: null,
     factors: { of_total_energy: false },
     design_percentile: 95,
     confidence: 0.95,
@@ -84,43 +88,62 @@ test('a range is over the own values and those of the sets, and knows which give
   expect(rangeOver(varied.base, inputsOf(varied), 'height_m')).toMatchObject({ low: 0.7, high: 0.9, atLow: null });
   expect(rangeOver(varied.base, modelsOf(varied), 'height_m')).toMatchObject({ low: 0.7, high: 4.7 });
   // The figure that it stands beside is in it, also if the sets have fewer rocks.
-  expect(rangeOver(varied.base, modelsOf(varied), 'height_m', 0.6)!.low).toBe(0.6);
+  expect(rangeOver(varied.base, modelsOf(varied), 'height_m', [0.6, 0.5, 0.8])!.low).toBe(0.6);
   expect(rangeOver(varied.base, [], 'share')).toBeNull();
+});
+
+test('with chance a range reaches to the outermost ends of the intervals of its sets', () => {
+  const over = (by: 'height_m' | 'share' | 'needs_class' | 'needs_energy_J', shown: Interval | null = null) => rangeOver(varied.base, modelsOf(varied), by, shown)!.chance;
+  expect(over('height_m')).toEqual({ low: 0.7 - 0.2, high: 4.7 + 0.2 });
+  expect(over('height_m', [0.65, 0.3, 1])).toEqual({ low: 0.3, high: 4.7 + 0.2 }); // that of all rocks
+  expect(over('height_m', [0.65, null, null])).toEqual({ low: null, high: 4.7 + 0.2 }); // the least one has none
+  expect(over('share')).toEqual({ low: 0 - 0.01, high: 0.12 + 0.01 });
+  // What a fence needs is known at the upper ends only.
+  expect(over('needs_class')).toEqual({ low: null, high: 6 });
+  expect(over('needs_energy_J')).toEqual({ low: null, high: 9.4e5 });
 });
 
 test('so do they for an area', () => {
   const area = { kind: 'polygon', run: { rocks: 1000, stored: 1000 }, entering: { rocks: 100, share: { value: 0.1, low: 0.08, high: 0.12 } }, percentiles: { ke_total_J: { 95: [9e4, 8e4, 1e5] } }, problems: [], ensembles: { ensembles: 10, crossing: 8, confidence: 0.9, share: [0.1, 0.02, 0.3], stopping: [0, 0, 0], height_m: null, ke_translational_J: null, ke_total_J: [9e4, 4e4, 2e5], velocity_m_s: null } } as unknown as AskedAnswer;
   const [share, energy] = cardsOf(area, varied, 'the asked area');
-  expect(share).toMatchObject({ title: 'Enters the asked area', figures: [{ inputs: '2 to 30 %' }] });
-  expect(energy!.figures[1]).toMatchObject({ inputs: '40 to 200 kJ', inputsWhy: expect.stringContaining('8 ensembles with rocks that enter, of 10') });
+  expect(share).toMatchObject({ title: 'Enters the asked area', figures: [{ inputs: { text: '2 to 30 %', withChance: '' } }] });
+  expect(energy!.figures[1]).toMatchObject({ inputs: { text: '40 to 200 kJ', why: expect.stringContaining('8 ensembles with rocks that enter, of 10') } });
 });
 
 test('four cards, each with sampling, inputs and models', () => {
   const [share, energy, height, fence] = cardsOf(line(0.7), varied, 'Road');
-  expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: '0 to 17.9 %', models: '0 to 12 % (shape 0 %)' }] });
-  expect(share!.figures[0]!.modelsWhy).toBe('lumped mass 10 % (this run), sphere 12 %, shape 0 %');
-  expect(energy!.figures.map(({ name, value, inputs }) => [name, value, inputs])).toEqual([
-    ['translational', '70 kJ', '70 to 90 kJ'],
-    ['total', '90 kJ', '70 to 90 kJ'],
+  expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: { text: '0 to 17.9 %' }, models: { text: '0 to 12 % (rigid body 0 %)' } }] });
+  expect(share!.figures[0]!.models!.why).toBe('lumped mass 10 % (this run), rigid sphere 12 %, rigid body 0 %');
+  expect(energy!.figures.map(({ name, value, inputs }) => [name, value, inputs?.text, inputs?.withChance])).toEqual([
+    ['translational', '70 kJ', '70 to 90 kJ', 'with chance 60 to 100 kJ'],
+    ['total', '90 kJ', '70 to 90 kJ', 'with chance 60 to 100 kJ'],
   ]);
-  expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: '0.7 to 4.7 m (sphere 4.7 m)' });
-  expect(fence).toMatchObject({ title: 'Fence needed: class 1', note: 'UNI 11211-4, with its factors.' });
+  expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: { text: '0.7 to 4.7 m (rigid sphere 4.7 m)', withChance: 'with chance 0.5 to 4.9 m' } });
+  expect(fence).toMatchObject({ title: 'Fence needed', note: 'UNI 11211-4 with γ_R 1.3.' });
   // Over what the sets need by the check, not over their percentiles.
   expect(fence!.figures).toMatchObject([
-    { value: '90 kJ', inputs: '90 to 135 kJ', models: '90 to 705 kJ' },
-    { value: '1.2 m', inputs: '1.2 to 1.58 m', models: '1.2 to 6.14 m', modelsWhy: 'lumped mass 1.2 m (this run), sphere 6.14 m, shape none crosses' },
+    { value: 'class 1', sampling: 'too few rocks', inputs: { text: 'class 1 in each', withChance: 'with chance too few rocks' }, models: { text: 'class 1 to 5', withChance: 'with chance up to class 6' } },
+    { value: '90 kJ', inputs: { text: '90 to 135 kJ' }, models: { text: '90 to 705 kJ', withChance: 'with chance up to 940 kJ' } },
+    { value: '1.2 m', inputs: { text: '1.2 to 1.58 m' }, models: { text: '1.2 to 6.14 m', why: 'lumped mass 1.2 m (this run), rigid sphere 6.14 m, rigid body none crosses' } },
   ]);
   const [, , , bare] = cardsOf({ ...line(0.7), standard: null }, null, 'Road');
-  expect(bare).toMatchObject({ title: 'Fence needed', note: 'No standard is chosen: no factors are applied.', figures: [{ inputs: null, models: null }, {}] });
+  expect(bare).toMatchObject({ title: 'Fence needed', note: 'No standard is chosen: no factors are applied.', figures: [{ name: 'energy', inputs: null, models: null }, {}] });
+});
+
+test('a fence of a long line names its worst stretch', () => {
+  const stretch = { from_m: 40, to_m: 60, rocks: 18, needs: { energy_J: 1.2e6, class: 4, height_m: 3.41 } };
+  const of = { ...line(0.7), sections: [{}, {}, stretch], worst: { section: 2, from_m: 40, to_m: 60 } } as unknown as LineAnswer;
+  expect(cardsOf(of, null, 'Road')[3]).toMatchObject({ title: 'Fence needed, whole line', note: 'Worst stretch, red, from 40 to 60 m: class 4, 1,200 kJ, 3.41 m, 18 rocks. UNI 11211-4 with γ_R 1.3.' });
+  expect(cardsOf({ ...of, standard: null }, null, 'Road')[3]!.note).toBe('Worst stretch, red, from 40 to 60 m: 1,200 kJ, 3.41 m, 18 rocks. No standard is chosen: no factors are applied.');
 });
 
 test('ensembles of the run take the place of steps of its inputs', () => {
-  const ensembles = { ensembles: 50, crossing: 40, confidence: 0.9, share: [0.1, 0.02, 0.3], height_m: [0.7, 0.5, 1.4], ke_translational_J: null, ke_total_J: [9e4, 4e4, 2e5], velocity_m_s: null, needs_energy_J: [9e4, 5e4, 3e5], needs_height_m: [1.2, 1.1, 2] };
+  const ensembles = { ensembles: 50, crossing: 40, confidence: 0.9, share: [0.1, 0.02, 0.3], height_m: [0.7, 0.5, 1.4], ke_translational_J: null, ke_total_J: [9e4, 4e4, 2e5], velocity_m_s: null, needs_energy_J: [9e4, 5e4, 3e5], needs_class: [1, 0, 3], needs_height_m: [1.2, 1.1, 2] };
   const [share, energy, height, fence] = cardsOf({ ...line(0.7), ensembles } as unknown as LineAnswer, varied, 'Road');
-  expect(share!.figures[0]).toMatchObject({ inputs: '2 to 30 %', models: '0 to 12 % (shape 0 %)', inputsWhy: expect.stringMatching(/^90 % of the run's 50 ensembles, /) });
-  expect(energy!.figures.map(({ inputs }) => inputs)).toEqual(['too few ensembles', '40 to 200 kJ']);
-  expect(height!.figures[0]!.inputsWhy).toMatch(/^90 % of the run's 40 ensembles with rocks that cross, of 50/);
-  expect(fence!.figures.map(({ inputs }) => inputs)).toEqual(['50 to 300 kJ', '1.1 to 2 m']);
+  expect(share!.figures[0]).toMatchObject({ inputs: { text: '2 to 30 %', why: expect.stringMatching(/^90 % of the run's 50 ensembles, /) }, models: { text: '0 to 12 % (rigid body 0 %)' } });
+  expect(energy!.figures.map(({ inputs }) => inputs?.text)).toEqual(['too few ensembles', '40 to 200 kJ']);
+  expect(height!.figures[0]!.inputs!.why).toMatch(/^90 % of the run's 40 ensembles with rocks that cross, of 50/);
+  expect(fence!.figures.map(({ inputs }) => inputs?.text)).toEqual(['class 0 to 3', '50 to 300 kJ', '1.1 to 2 m']);
 });
 
 const known = { answer: null, whatIf: null, summary: null, isOutdated: false };
@@ -130,7 +153,7 @@ test('doubts, the most serious first', () => {
   const answer = { ...line(0.4), problems: [ground] } as unknown as LineAnswer;
   const found = doubtsOf({ answer, whatIf: varied, summary, isOutdated: true });
   expect(found.map(({ kind }) => kind)).toEqual(['outdated', 'models', 'height', 'ground', 'left', 'run']);
-  expect(found[1]!.text).toBe('Rock models disagree by more than chance: the 95 % height is 0.4 m with lumped mass (this run) and 4.7 m with sphere; the share that passes is 10 % with lumped mass (this run) and 0 % with shape.');
+  expect(found[1]!.text).toBe('Rock models disagree by more than chance: the 95 % height is 0.4 m with lumped mass (this run) and 4.7 m with rigid sphere; the share that passes is 10 % with lumped mass (this run) and 0 % with rigid body.');
   expect(found[2]!.text).toContain('less than the diameter of the largest block that crosses, 0.5 m');
   expect(found[5]!.text).toBe('No seed');
 });

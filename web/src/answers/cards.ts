@@ -4,23 +4,29 @@
 import type { AskedAnswer, EnsembleRange, Interval, LineAnswer, LineQuantity } from '../api/line';
 import type { Variation, WhatIfAnswer } from '../api/whatIf';
 import { intervalText, percentText } from '../askLine/kit';
-import { inputsOf, modelsOf, rangeOver, valueOf, type Range, type SpreadFigure } from '../askLine/spread';
+import { inputsOf, modelsOf, neededInterval, rangeOver, valueOf, type NeededFigure, type Range, type SpreadFigure } from '../askLine/spread';
 import { nameOf } from '../askLine/tornadoOf';
+import { worstOf, worstText } from '../askLine/worstStretch';
 import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
 import { modelName, modelText } from './models';
 
+/// How far a figure moves over sets of rocks.
+export interface CardRange {
+  text: string;
+  /// The same with the chance of the rocks of the sets; empty: it is in the text, or there is nothing to say.
+  withChance: string;
+  /// Which inputs give the ends, or what each model gives.
+  why: string;
+}
 export interface CardFigure {
   /// Empty if the title of the card says it.
   name: string;
   value: string;
   sampling: string;
   /// Null: unknown, such as before the job has begun.
-  inputs: string | null;
-  models: string | null;
-  /// Which inputs give the ends, and what each model gives.
-  inputsWhy: string;
-  modelsWhy: string;
+  inputs: CardRange | null;
+  models: CardRange | null;
 }
 export interface Card {
   key: 'share' | 'energy' | 'height' | 'fence';
@@ -37,6 +43,7 @@ interface Scale {
 }
 
 const shareScale: Scale = { text: percentText, range: (low, high) => intervalText({ value: 0, low, high }) };
+const classScale: Scale = { text: (value) => `class ${value}`, range: (low, high) => `class ${low} to ${high}` };
 function scaleOf(metric: string): Scale {
   const { unit, per } = displayOf(metric);
   const number = (value: number) => numberText(value / per, 3);
@@ -58,42 +65,69 @@ function farthestText(models: readonly Variation[], by: SpreadFigure, own: numbe
 }
 
 const endText = (end: Range['atLow']) => (end ? nameOf(end) : 'the inputs as they are');
+const nothing: CardRange = { text: 'none crosses', withChance: '', why: '' };
 
-function rangesOf(whatIf: WhatIfAnswer | null, by: SpreadFigure, shown: number | null, scale: Scale, isAlone: boolean): Pick<CardFigure, 'inputs' | 'models' | 'inputsWhy' | 'modelsWhy'> {
-  if (!whatIf) return { inputs: null, models: null, inputsWhy: '', modelsWhy: '' };
-  const { base } = whatIf;
-  const [inputs, models] = [inputsOf(whatIf), modelsOf(whatIf)];
-  const [overInputs, overModels] = [rangeOver(base, inputs, by, shown), rangeOver(base, models, by, shown)];
-  const textOf = (value: number | null) => (value === null ? 'none crosses' : scale.text(value));
-  const each = models.map((model) => `${modelText(model)} ${textOf(valueOf(model, by))}`);
+function textOf({ low, high, chance }: Range, scale: Scale): Pick<CardRange, 'text' | 'withChance'> {
+  const [least, most] = [scale.text(low), scale.text(high)];
   return {
-    inputs: overInputs ? scale.range(overInputs.low, overInputs.high) : inputs.length > 0 ? 'none crosses' : null,
-    models: overModels ? `${scale.range(overModels.low, overModels.high)}${isAlone ? farthestText(models, by, shown, scale) : ''}` : models.length > 0 ? 'none crosses' : null,
-    inputsWhy: overInputs ? `lowest with ${endText(overInputs.atLow)}, highest with ${endText(overInputs.atHigh)}` : '',
-    modelsWhy: overModels ? [`${modelName(whatIf.model)} ${textOf(shown ?? valueOf(base, by))} (this run)`, ...each].join(', ') : '',
+    text: least === most ? `${least} in each` : scale.range(low, high),
+    withChance: `with chance ${samplingText([low, chance.low, chance.high], scale)}`,
   };
 }
 
-type EnsembleFigure = SpreadFigure & ('share' | LineQuantity | 'needs_energy_J' | 'needs_height_m');
+interface Shown {
+  by: EnsembleFigure;
+  /// Of all rocks of the run.
+  value: Interval | null;
+  scale: Scale;
+  /// Whether there is room for the model that differs most.
+  isAlone: boolean;
+}
+
+function overInputs(whatIf: WhatIfAnswer, { by, value, scale }: Shown): CardRange | null {
+  const sets = inputsOf(whatIf);
+  if (sets.length === 0) return null;
+  const range = rangeOver(whatIf.base, sets, by, value);
+  return range ? { ...textOf(range, scale), why: `lowest with ${endText(range.atLow)}, highest with ${endText(range.atHigh)}` } : nothing;
+}
+
+function overModels(whatIf: WhatIfAnswer, { by, value, scale, isAlone }: Shown): CardRange | null {
+  const sets = modelsOf(whatIf);
+  if (sets.length === 0) return null;
+  const range = rangeOver(whatIf.base, sets, by, value);
+  if (!range) return nothing;
+  const own = value?.[0] ?? null;
+  const valueText = (of: number | null) => (of === null ? 'none crosses' : scale.text(of));
+  const { text, withChance } = textOf(range, scale);
+  return {
+    text: isAlone ? `${text}${farthestText(sets, by, own, scale)}` : text,
+    withChance,
+    why: [`${modelName(whatIf.model)} ${valueText(own ?? valueOf(whatIf.base, by))} (this run)`, ...sets.map((model) => `${modelText(model)} ${valueText(valueOf(model, by))}`)].join(', '),
+  };
+}
+
+type EnsembleFigure = SpreadFigure & ('share' | LineQuantity | NeededFigure);
 /// Of a run whose parameters are uncertain, its own ensembles tell more of the inputs than steps do.
-function overEnsembles(of: AskedAnswer, by: EnsembleFigure, scale: Scale): Pick<CardFigure, 'inputs' | 'inputsWhy'> | null {
+function overEnsembles(of: AskedAnswer, { by, scale }: Shown): CardRange | null {
   if (!of.ensembles) return null;
   const { ensembles, crossing, confidence } = of.ensembles;
   const range = (of.ensembles as Partial<Record<EnsembleFigure, EnsembleRange | null>>)[by];
   const ofWhich = crossing < ensembles && by !== 'share' ? `${crossing} ensembles with rocks that ${of.kind === 'polygon' ? 'enter' : 'cross'}, of ${ensembles}` : `${ensembles} ensembles`;
   return {
-    inputs: range ? scale.range(range[1], range[2]) : 'too few ensembles',
-    inputsWhy: `${percentText(confidence)} of the run's ${ofWhich}, each with its own parameters and its own rocks, whose chance is in it`,
+    text: range ? scale.range(range[1], range[2]) : 'too few ensembles',
+    withChance: '',
+    why: `${percentText(confidence)} of the run's ${ofWhich}, each with its own parameters and its own rocks, whose chance is in it`,
   };
 }
 
-function figureOf(name: string, value: Interval | null, scale: Scale, of: AskedAnswer, whatIf: WhatIfAnswer | null, by: EnsembleFigure): CardFigure {
+function figureOf(name: string, shown: Shown, of: AskedAnswer, whatIf: WhatIfAnswer | null): CardFigure {
+  const { value, scale } = shown;
   return {
     name,
     value: value ? scale.text(value[0]) : 'none',
     sampling: value ? samplingText(value, scale) : '–',
-    ...rangesOf(whatIf, by, value?.[0] ?? null, scale, name === ''),
-    ...overEnsembles(of, by, scale),
+    inputs: overEnsembles(of, shown) ?? (whatIf && overInputs(whatIf, shown)),
+    models: whatIf && overModels(whatIf, shown),
   };
 }
 
@@ -106,23 +140,27 @@ export const percentileOf = (of: AskedAnswer): string => {
   return known.includes('95') ? '95' : (known[0] ?? '95');
 };
 
+/// "UNI 11211-4 with γ_Tr 1.02, γ_E 1.2"
+function factorsText({ standard, applied_factors: applied }: LineAnswer): string {
+  if (standard === null) return 'No standard is chosen: no factors are applied.';
+  const factors = applied.filter(({ value }) => value !== 1).map(({ symbol, value }) => `${symbol} ${numberText(value)}`);
+  return factors.length > 0 ? `${standard} with ${factors.join(', ')}.` : `${standard}, all factors 1.`;
+}
+
 /// By the standard of [design]; without one the figures as they are. Its ranges are over the fences that the sets need.
 function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
   const { whole, standard } = of;
-  const { needs, needs_at_upper_end: upper } = whole;
-  const figure = (name: string, scale: Scale, key: 'energy_J' | 'height_m'): CardFigure => ({
-    name,
-    value: needs ? scale.text(needs[key]) : 'none',
-    sampling: upper ? `up to ${scale.text(upper[key])}` : needs ? 'too few rocks' : '–',
-    ...rangesOf(whatIf, `needs_${key}`, needs?.[key] ?? null, scale, false),
-    ...overEnsembles(of, `needs_${key}`, scale),
-  });
-  const kit = needs?.class === null ? 'no class is enough' : `class ${needs?.class}`;
+  const figure = (name: string, scale: Scale, by: NeededFigure) => figureOf(name, { by, value: neededInterval(whole, by), scale, isAlone: false }, of, whatIf);
+  const worst = worstOf(of);
   return {
     key: 'fence',
-    title: needs && standard !== null ? `Fence needed: ${kit}` : 'Fence needed',
-    figures: [figure('energy', scaleOf('J'), 'energy_J'), figure('height', scaleOf('m'), 'height_m')],
-    note: standard === null ? 'No standard is chosen: no factors are applied.' : `${standard}, with its factors.`,
+    title: worst ? 'Fence needed, whole line' : 'Fence needed',
+    figures: [
+      ...(standard === null ? [] : [figure('', classScale, 'needs_class')]),
+      figure('energy', scaleOf('J'), 'needs_energy_J'),
+      figure('height', scaleOf('m'), 'needs_height_m'),
+    ],
+    note: [worst && `Worst stretch, red, ${worstText(worst, standard)}.`, factorsText(of)].filter(Boolean).join(' '),
   };
 }
 
@@ -135,26 +173,24 @@ export function cardsOf(of: AskedAnswer, whatIf: WhatIfAnswer | null, placeText:
   const rocks = isArea ? of.entering.rocks : of.whole.rocks;
   const at = (key: LineQuantity) => percentiles[key]?.[percentile] ?? null;
   const [energy, height] = [scaleOf('J'), scaleOf('m')];
+  const figure = (name: string, by: LineQuantity, scale: Scale, isAlone: boolean) => figureOf(name, { by, value: at(by), scale, isAlone }, of, found);
   const cards: Card[] = [
     {
       key: 'share',
       title: `${isArea ? 'Enters' : 'Passes'} ${placeText}`,
-      figures: [figureOf('', share && [share.value, share.low, share.high], shareScale, of, whatIf, 'share')],
+      figures: [figureOf('', { by: 'share', value: share && [share.value, share.low, share.high], scale: shareScale, isAlone: true }, of, whatIf)],
       note: `${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks`,
     },
     {
       key: 'energy',
       title: `${percentile} % energy there`,
-      figures: [
-        figureOf('translational', at('ke_translational_J'), energy, of, found, 'ke_translational_J'),
-        figureOf('total', at('ke_total_J'), energy, of, found, 'ke_total_J'),
-      ],
+      figures: [figure('translational', 'ke_translational_J', energy, false), figure('total', 'ke_total_J', energy, false)],
       note: '',
     },
     {
       key: 'height',
       title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`,
-      figures: [figureOf('', at('height_m'), height, of, found, 'height_m')],
+      figures: [figure('', 'height_m', height, true)],
       note: '',
     },
   ];

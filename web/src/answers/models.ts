@@ -3,12 +3,10 @@
 import type { Variation } from '../api/whatIf';
 import { wordText } from '../settings/words';
 
-const short: Readonly<Record<string, string>> = { rigid_sphere: 'sphere', rigid_body: 'shape' };
+/// "lumped mass", "rigid sphere", "rigid body"
+export const modelName = (model: string | undefined): string => wordText(model ?? '');
 
-/// "lumped mass", "sphere", "shape": as short as a card needs it.
-export const modelName = (model: string | undefined): string => short[model ?? ''] ?? wordText(model ?? '');
-
-/// "shape (block)": with the shapes that the seeders of a project without shapes were given.
+/// "rigid body (block)": with the shapes that the seeders of a project without shapes were given.
 export function modelText({ model, changes }: Pick<Variation, 'model' | 'changes'>): string {
   const shapes = new Set(changes.filter(({ path }) => path[2] === 'shape').map(({ after }) => wordText(String(after))));
   return shapes.size > 0 ? `${modelName(model)} (${[...shapes].join(', ')})` : modelName(model);

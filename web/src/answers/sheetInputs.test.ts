@@ -69,7 +69,7 @@ test('shapes and releases in words', () => {
   const shapes = { analysis: { model: 'rigid_body' }, shape: [{ name: 'Slab', b_over_a: { mean: '0.8', distribution: 'none' }, c_over_b: '0.4', solid: 'none' }] };
   expect(blockShape(shapes, { shape: 'Slab' })).toBe('Slab (b/a 0.8; c/b 0.4)');
   expect(blockShape(shapes, { shape: 'long' })).toBe('long');
-  expect(blockShape({ analysis: { model: 'lumped_mass' } }, { shape: 'sphere' })).toBe('points with mass');
+  expect(blockShape({ analysis: { model: 'lumped_mass' } }, { shape: 'sphere' })).toBe('none');
   expect(releaseText({ type: 'polygon', polygons: 'cliffs.geojson', min_slope_deg: '55', height_above_m: '2', horizontal_velocity_m_s: { mean: '0' } })).toBe(
     'in cells of cliffs.geojson, steeper than 55°, 2 m above the ground',
   );

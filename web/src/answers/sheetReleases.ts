@@ -30,7 +30,7 @@ export function shapeText(project: Echo, name: string): string {
 export function blockShape(project: Echo, seeder: Echo): string {
   const model = (project.analysis as Echo | undefined)?.model;
   if (model === 'rigid_body') return shapeText(project, String(seeder.shape ?? 'sphere'));
-  return model === 'rigid_sphere' ? 'spheres' : 'points with mass';
+  return model === 'rigid_sphere' ? 'sphere' : 'none';
 }
 
 const pointText = (place: unknown): string => (Array.isArray(place) ? `(${place.map(valueText).join(', ')})` : '');

@@ -2,6 +2,7 @@
 // docs/workbench-api.md).
 
 import { getArrays, sendJson } from './client';
+import type { AppliedFactorOf } from '../archive/summary';
 import type { Point2, Point3, Problem } from './types';
 
 /// A value with the ends of its confidence interval; null: too few rocks.
@@ -20,7 +21,8 @@ type EnsembleSpread<More extends string> = { ensembles: number; crossing: number
 export type LineQuantity = 'ke_translational_J' | 'ke_total_J' | 'velocity_m_s' | 'height_m';
 export interface Needs {
   energy_J: number;
-  class: number | null;
+  /// By the standard; without one it means nothing.
+  class: number;
   height_m: number;
 }
 
@@ -74,6 +76,8 @@ export interface SourceShares {
   high: number[];
 }
 
+type AppliedFactor = AppliedFactorOf<number>;
+
 interface AnyAnswer {
   run: { rocks: number; stored: number };
   enough: Enough;
@@ -88,6 +92,7 @@ export interface LineAnswer extends AnyAnswer {
   from_m: number;
   foot: Point3[];
   standard: string | null;
+  applied_factors: AppliedFactor[];
   /// Of the check; without a standard they change nothing.
   factors: { of_total_energy: boolean };
   design_percentile: number;
@@ -100,7 +105,7 @@ export interface LineAnswer extends AnyAnswer {
   kit: { text: string } | null;
   card: CardTexts;
   /// Null: all rocks have the same parameters.
-  ensembles: EnsembleSpread<'needs_energy_J' | 'needs_height_m'> | null;
+  ensembles: EnsembleSpread<'needs_energy_J' | 'needs_class' | 'needs_height_m'> | null;
 }
 export interface PolygonAnswer extends AnyAnswer {
   kind: 'polygon';

@@ -14,6 +14,8 @@ export type Figures = {
   rocks: number;
   /// Of a line: the fence that the check asks for, with all its factors.
   needs: Needs | null;
+  /// From the upper ends of the intervals of sampling; null: too few rocks cross.
+  needs_at_upper_end: Needs | null;
 } & Record<WhatIfFigure | 'ke_translational_J' | 'ke_total_J', Interval | null>;
 
 /// A value before and after, as in the project's file; null: the key is not given.

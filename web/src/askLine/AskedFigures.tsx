@@ -94,10 +94,9 @@ function percentilesIn({ percentiles }: Pick<PolygonAnswer, 'percentiles'>, perc
 /// The class of the kit that the standard asks for.
 function classOf({ whole: { needs, needs_at_upper_end: upper }, standard, card }: LineAnswer): Figure[] {
   if (!needs || standard === null) return [];
-  const name = ({ class: number }: typeof needs) => (number === null ? 'none' : String(number));
   const rest = card.needs.replace(/^class [^:]*: /, '');
-  const atUpper = upper && name(upper) !== name(needs) ? `; up to class ${name(upper)}` : '';
-  return [{ title: `class by ${standard}`, value: name(needs), interval: `needs ${rest}${atUpper}`, range: '' }];
+  const atUpper = upper && upper.class !== needs.class ? `; up to class ${upper.class}` : '';
+  return [{ title: `class by ${standard}`, value: String(needs.class), interval: `needs ${rest}${atUpper}`, range: '' }];
 }
 
 export function Figures({ of }: { of: Figure[] }) {

@@ -1,5 +1,6 @@
 // The profile along the asked line.
 
+import { worstOf, worstText } from './worstStretch';
 import { useCallback, useMemo } from 'preact/hooks';
 import type { LineAnswer } from '../api/line';
 import { lineProfile, lineProfileRows } from '../figures/lineProfile';
@@ -33,7 +34,7 @@ export function ProfileOfLine({ of }: { of: LineAnswer }) {
     [stretches, of],
   );
   if (stretches.length < 2) return null;
-  const worst = of.worst && of.sections[of.worst.section];
+  const worst = worstOf(of);
   return (
     <div class="asked-profile">
       <Chart
@@ -52,13 +53,7 @@ export function ProfileOfLine({ of }: { of: LineAnswer }) {
           </select>
         }
       />
-      {worst && of.worst && (
-        <p class="faint">
-          The worst stretch is from {Math.round(of.worst.from_m)} to {Math.round(of.worst.to_m)} m: {worst.rocks.toLocaleString('en')}{' '}
-          {worst.rocks === 1 ? 'rock' : 'rocks'}
-          {worst.needs?.class !== null && worst.needs?.class !== undefined && `, class ${worst.needs.class}`}.
-        </p>
-      )}
+      {worst && <p class="faint">The worst stretch is {worstText(worst, of.standard)}.</p>}
     </div>
   );
 }

@@ -1,7 +1,6 @@
 // Shows what is asked in the views: its line, its corners, and its worst stretch.
 
 import { effect, signal } from '@preact/signals';
-import type { Point3 } from '../api/types';
 import { showOverlay, type Overlay } from '../tools/tool';
 import { markColours } from '../view/colours';
 import { answer, askedNow, draggedPoints, isAsking } from './asked';
@@ -9,6 +8,7 @@ import { shown } from '../runs/runs';
 import { cornersOf, groundOf } from './askTools';
 import { partOf } from './foot';
 import { placeLabel } from './shape';
+import { worstOverlay } from './worstStretch';
 import { owned } from '../state/owned';
 
 /// The part of the line under the pointer in the figure, from and to [m].
@@ -35,10 +35,8 @@ effect(() => {
   const found = answer.value;
   const pointed = pointedPart.value;
   const shown = isAsking.value && draggedPoints.value === null && found !== null && found.kind !== 'polygon' ? found : null;
-  const part = (from: number, to: number): Point3[] => (shown ? partOf(shown.foot, from, to) : []);
-  const { worst } = shown ?? {};
-  const lists: Overlay[] = [];
-  if (worst) lists.push({ points: part(worst.from_m, worst.to_m), kind: 'line', colour: markColours.worst, isBare: true, width: 6 });
-  if (pointed) lists.push({ points: part(...pointed), kind: 'line', colour: markColours.asked, isBare: true, width: 6 });
-  showOverlay('asked stretch', lists.filter(({ points }) => points.length > 1));
+  if (!shown) return showOverlay('asked stretch', []);
+  const part = pointed ? partOf(shown.foot, ...pointed) : [];
+  const underPointer: Overlay[] = part.length > 1 ? [{ points: part, kind: 'line', colour: markColours.asked, isBare: true, width: 6 }] : [];
+  showOverlay('asked stretch', [...worstOverlay(shown), ...underPointer]);
 });
