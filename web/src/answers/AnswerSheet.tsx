@@ -99,7 +99,7 @@ function rowsText(of: AskedAnswer, ranges: Ranges): string[] {
     spread ? `Inputs: the range of ${percentText(spread.confidence)} of the ${spread.ensembles} ensembles of this run, each with its own parameters; the chance of their rocks is in it.` : '',
     part && !spread ? `Inputs: ${part}, with each input a step lower and higher${ground ? `, the ground of ${ground} alone` : ''}. Models: with the other rock models. Both in the table of the next page.` : '',
     part && spread ? `Models: ${part}, with the other rock models, in the table of the next page, which also has each input a step lower and higher.` : '',
-    part ? 'With chance: to the outermost ends of the intervals of sampling of these sets.' : '',
+    part ? '+ chance: to the outermost ends of the intervals of sampling of these sets.' : '',
     printedText(ranges),
   ].filter(Boolean);
 }

@@ -1,11 +1,22 @@
 // An answer as a card: its figures, and below each its interval and its ranges.
 
-import type { Card, CardFigure, CardRange } from './cards';
+import type { Card, CardFigure } from './cards';
 
-const rows: readonly { name: string; title: string; of: (figure: CardFigure) => CardRange | null }[] = [
-  { name: 'sampling', title: 'By chance, with as many rocks as this run has', of: ({ sampling }) => ({ text: sampling, withChance: '', why: '' }) },
-  { name: 'inputs', title: 'With each input a step lower or higher, the same rocks', of: ({ inputs }) => inputs },
-  { name: 'models', title: 'With the other rock models, the same rocks', of: ({ models }) => models },
+interface Row {
+  name: string;
+  label: string;
+  title: string;
+  /// Null: unknown yet.
+  text: (of: CardFigure) => string | null;
+  why?: (of: CardFigure) => string | undefined;
+}
+const byChance = 'The same with the chance of the rocks of each set: to the outermost ends of their intervals of sampling';
+const rows: readonly Row[] = [
+  { name: 'sampling', label: 'sampling', title: 'By chance, with as many rocks as this run has', text: ({ sampling }) => sampling },
+  { name: 'inputs', label: 'inputs', title: 'With each input a step lower or higher, the same rocks', text: ({ inputs }) => inputs && inputs.text, why: ({ inputs }) => inputs?.why },
+  { name: 'inputs-chance', label: '+ chance', title: byChance, text: ({ inputs }) => inputs?.withChance ?? '' },
+  { name: 'models', label: 'models', title: 'With the other rock models, the same rocks', text: ({ models }) => models && models.text, why: ({ models }) => models?.why },
+  { name: 'models-chance', label: '+ chance', title: byChance, text: ({ models }) => models?.withChance ?? '' },
 ];
 
 interface Props {
@@ -17,6 +28,7 @@ interface Props {
 }
 
 export function OneCard({ of, missing, isPart }: Props) {
+  const shown = rows.filter(({ text }) => of.figures.some((figure) => text(figure) !== ''));
   return (
     <section class={`answer-card ${of.key}`} aria-label={of.title}>
       <h3>{of.title}</h3>
@@ -33,17 +45,16 @@ export function OneCard({ of, missing, isPart }: Props) {
           </tr>
         </thead>
         <tbody>
-          {rows.map(({ name, title, of: rangeOf }) => (
+          {shown.map(({ name, label, title, text, why }) => (
             <tr key={name} class={name}>
               <th scope="row" title={title}>
-                {name}
+                {label}
               </th>
               {of.figures.map((figure) => {
-                const found = rangeOf(figure);
+                const found = text(figure);
                 return (
-                  <td key={figure.name} title={found?.why || title} class={found === null ? 'faint' : isPart && name !== 'sampling' ? 'part' : ''}>
-                    {found?.text ?? missing}
-                    {found?.withChance && <span class="with-chance">{found.withChance}</span>}
+                  <td key={figure.name} title={why?.(figure) || title} class={found === null ? 'faint' : isPart && name !== 'sampling' ? 'part' : ''}>
+                    {found ?? missing}
                   </td>
                 );
               })}
@@ -51,7 +62,11 @@ export function OneCard({ of, missing, isPart }: Props) {
           ))}
         </tbody>
       </table>
-      {of.note && <p class="faint note">{of.note}</p>}
+      {of.notes.map((note) => (
+        <p key={note} class="faint note">
+          {note}
+        </p>
+      ))}
     </section>
   );
 }

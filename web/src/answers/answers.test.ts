@@ -92,7 +92,7 @@ test('a range is over the own values and those of the sets, and knows which give
   expect(rangeOver(varied.base, [], 'share')).toBeNull();
 });
 
-test('with chance a range reaches to the outermost ends of the intervals of its sets', () => {
+test('a range reaches to the outermost ends of the intervals of its sets', () => {
   const over = (by: 'height_m' | 'share' | 'needs_class' | 'needs_energy_J', shown: Interval | null = null) => rangeOver(varied.base, modelsOf(varied), by, shown)!.chance;
   expect(over('height_m')).toEqual({ low: 0.7 - 0.2, high: 4.7 + 0.2 });
   expect(over('height_m', [0.65, 0.3, 1])).toEqual({ low: 0.3, high: 4.7 + 0.2 }); // that of all rocks
@@ -112,38 +112,38 @@ test('so do they for an area', () => {
 
 test('four cards, each with sampling, inputs and models', () => {
   const [share, energy, height, fence] = cardsOf(line(0.7), varied, 'Road');
-  expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: { text: '0 to 17.9 %' }, models: { text: '0 to 12 % (rigid body 0 %)' } }] });
-  expect(share!.figures[0]!.models!.why).toBe('lumped mass 10 % (this run), rigid sphere 12 %, rigid body 0 %');
+  expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: { text: '0 to 17.9 %' }, models: { text: '0 to 12 %' } }] });
+  expect(share!.notes).toEqual(['100 of 1,000 rocks.', 'By models: lumped mass 10 % (this run), rigid sphere 12 %, rigid body 0 %.']);
   expect(energy!.figures.map(({ name, value, inputs }) => [name, value, inputs?.text, inputs?.withChance])).toEqual([
-    ['translational', '70 kJ', '70 to 90 kJ', 'with chance 60 to 100 kJ'],
-    ['total', '90 kJ', '70 to 90 kJ', 'with chance 60 to 100 kJ'],
+    ['translational', '70 kJ', '70 to 90 kJ', '60 to 100 kJ'],
+    ['total', '90 kJ', '70 to 90 kJ', '60 to 100 kJ'],
   ]);
-  expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: { text: '0.7 to 4.7 m (rigid sphere 4.7 m)', withChance: 'with chance 0.5 to 4.9 m' } });
-  expect(fence).toMatchObject({ title: 'Fence needed', note: 'UNI 11211-4 with γ_R 1.3.' });
+  expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: { text: '0.7 to 4.7 m', withChance: '0.5 to 4.9 m' } });
+  expect(fence).toMatchObject({ title: 'Fence needed', notes: ['UNI 11211-4 with γ_R 1.3.'] });
   // Over what the sets need by the check, not over their percentiles.
   expect(fence!.figures).toMatchObject([
-    { value: 'class 1', sampling: 'too few rocks', inputs: { text: 'class 1 in each', withChance: 'with chance too few rocks' }, models: { text: 'class 1 to 5', withChance: 'with chance up to class 6' } },
-    { value: '90 kJ', inputs: { text: '90 to 135 kJ' }, models: { text: '90 to 705 kJ', withChance: 'with chance up to 940 kJ' } },
+    { name: 'class', value: '1', sampling: 'too few rocks', inputs: { text: '1 in each', withChance: 'too few rocks' }, models: { text: '1 to 5', withChance: 'up to 6' } },
+    { value: '90 kJ', inputs: { text: '90 to 135 kJ' }, models: { text: '90 to 705 kJ', withChance: 'up to 940 kJ' } },
     { value: '1.2 m', inputs: { text: '1.2 to 1.58 m' }, models: { text: '1.2 to 6.14 m', why: 'lumped mass 1.2 m (this run), rigid sphere 6.14 m, rigid body none crosses' } },
   ]);
   const [, , , bare] = cardsOf({ ...line(0.7), standard: null }, null, 'Road');
-  expect(bare).toMatchObject({ title: 'Fence needed', note: 'No standard is chosen: no factors are applied.', figures: [{ name: 'energy', inputs: null, models: null }, {}] });
+  expect(bare).toMatchObject({ title: 'Fence needed', notes: ['No standard is chosen: no factors are applied.'], figures: [{ name: 'energy', inputs: null, models: null }, {}] });
 });
 
 test('a fence of a long line names its worst stretch', () => {
   const stretch = { from_m: 40, to_m: 60, rocks: 18, needs: { energy_J: 1.2e6, class: 4, height_m: 3.41 } };
   const of = { ...line(0.7), sections: [{}, {}, stretch], worst: { section: 2, from_m: 40, to_m: 60 } } as unknown as LineAnswer;
-  expect(cardsOf(of, null, 'Road')[3]).toMatchObject({ title: 'Fence needed, whole line', note: 'Worst stretch, red, from 40 to 60 m: class 4, 1,200 kJ, 3.41 m, 18 rocks. UNI 11211-4 with γ_R 1.3.' });
-  expect(cardsOf({ ...of, standard: null }, null, 'Road')[3]!.note).toBe('Worst stretch, red, from 40 to 60 m: 1,200 kJ, 3.41 m, 18 rocks. No standard is chosen: no factors are applied.');
+  expect(cardsOf(of, null, 'Road')[3]).toMatchObject({ title: 'Fence needed, whole line', notes: ['Worst stretch, red, from 40 to 60 m: class 4, 1,200 kJ, 3.41 m, 18 rocks.', 'UNI 11211-4 with γ_R 1.3.'] });
+  expect(cardsOf({ ...of, standard: null }, null, 'Road')[3]!.notes[0]).toBe('Worst stretch, red, from 40 to 60 m: 1,200 kJ, 3.41 m, 18 rocks.');
 });
 
 test('ensembles of the run take the place of steps of its inputs', () => {
   const ensembles = { ensembles: 50, crossing: 40, confidence: 0.9, share: [0.1, 0.02, 0.3], height_m: [0.7, 0.5, 1.4], ke_translational_J: null, ke_total_J: [9e4, 4e4, 2e5], velocity_m_s: null, needs_energy_J: [9e4, 5e4, 3e5], needs_class: [1, 0, 3], needs_height_m: [1.2, 1.1, 2] };
   const [share, energy, height, fence] = cardsOf({ ...line(0.7), ensembles } as unknown as LineAnswer, varied, 'Road');
-  expect(share!.figures[0]).toMatchObject({ inputs: { text: '2 to 30 %', why: expect.stringMatching(/^90 % of the run's 50 ensembles, /) }, models: { text: '0 to 12 % (rigid body 0 %)' } });
+  expect(share!.figures[0]).toMatchObject({ inputs: { text: '2 to 30 %', why: expect.stringMatching(/^90 % of the run's 50 ensembles, /) }, models: { text: '0 to 12 %' } });
   expect(energy!.figures.map(({ inputs }) => inputs?.text)).toEqual(['too few ensembles', '40 to 200 kJ']);
   expect(height!.figures[0]!.inputs!.why).toMatch(/^90 % of the run's 40 ensembles with rocks that cross, of 50/);
-  expect(fence!.figures.map(({ inputs }) => inputs?.text)).toEqual(['class 0 to 3', '50 to 300 kJ', '1.1 to 2 m']);
+  expect(fence!.figures.map(({ inputs }) => inputs?.text)).toEqual(['0 to 3', '50 to 300 kJ', '1.1 to 2 m']);
 });
 
 const known = { answer: null, whatIf: null, summary: null, isOutdated: false };

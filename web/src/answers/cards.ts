@@ -2,7 +2,7 @@
 // rock models.
 
 import type { AskedAnswer, EnsembleRange, Interval, LineAnswer, LineQuantity } from '../api/line';
-import type { Variation, WhatIfAnswer } from '../api/whatIf';
+import type { WhatIfAnswer } from '../api/whatIf';
 import { intervalText, percentText } from '../askLine/kit';
 import { inputsOf, modelsOf, neededInterval, rangeOver, valueOf, type NeededFigure, type Range, type SpreadFigure } from '../askLine/spread';
 import { nameOf } from '../askLine/tornadoOf';
@@ -32,7 +32,7 @@ export interface Card {
   key: 'share' | 'energy' | 'height' | 'fence';
   title: string;
   figures: CardFigure[];
-  note: string;
+  notes: string[];
 }
 
 type Text = (value: number) => string;
@@ -43,7 +43,7 @@ interface Scale {
 }
 
 const shareScale: Scale = { text: percentText, range: (low, high) => intervalText({ value: 0, low, high }) };
-const classScale: Scale = { text: (value) => `class ${value}`, range: (low, high) => `class ${low} to ${high}` };
+const classScale: Scale = { text: String, range: (low, high) => `${low} to ${high}` };
 function scaleOf(metric: string): Scale {
   const { unit, per } = displayOf(metric);
   const number = (value: number) => numberText(value / per, 3);
@@ -56,14 +56,6 @@ export function samplingText([, low, high]: Interval, { text, range }: Scale): s
   return low !== null ? `${text(low)} or more` : high !== null ? `up to ${text(high)}` : 'too few rocks';
 }
 
-/// " (sphere 12 %)": the model that differs most from the run's own; empty if none differs.
-function farthestText(models: readonly Variation[], by: SpreadFigure, own: number | null, { text }: Scale): string {
-  const known = models.flatMap((model) => ({ model, value: valueOf(model, by) })).filter((each): each is { model: Variation; value: number } => each.value !== null);
-  if (own === null || known.length === 0) return '';
-  const { model, value } = known.reduce((a, b) => (Math.abs(b.value - own) > Math.abs(a.value - own) ? b : a));
-  return text(value) === text(own) ? '' : ` (${modelName(model.model)} ${text(value)})`;
-}
-
 const endText = (end: Range['atLow']) => (end ? nameOf(end) : 'the inputs as they are');
 const nothing: CardRange = { text: 'none crosses', withChance: '', why: '' };
 
@@ -71,7 +63,7 @@ function textOf({ low, high, chance }: Range, scale: Scale): Pick<CardRange, 'te
   const [least, most] = [scale.text(low), scale.text(high)];
   return {
     text: least === most ? `${least} in each` : scale.range(low, high),
-    withChance: `with chance ${samplingText([low, chance.low, chance.high], scale)}`,
+    withChance: samplingText([low, chance.low, chance.high], scale),
   };
 }
 
@@ -80,8 +72,6 @@ interface Shown {
   /// Of all rocks of the run.
   value: Interval | null;
   scale: Scale;
-  /// Whether there is room for the model that differs most.
-  isAlone: boolean;
 }
 
 function overInputs(whatIf: WhatIfAnswer, { by, value, scale }: Shown): CardRange | null {
@@ -91,17 +81,15 @@ function overInputs(whatIf: WhatIfAnswer, { by, value, scale }: Shown): CardRang
   return range ? { ...textOf(range, scale), why: `lowest with ${endText(range.atLow)}, highest with ${endText(range.atHigh)}` } : nothing;
 }
 
-function overModels(whatIf: WhatIfAnswer, { by, value, scale, isAlone }: Shown): CardRange | null {
+function overModels(whatIf: WhatIfAnswer, { by, value, scale }: Shown): CardRange | null {
   const sets = modelsOf(whatIf);
   if (sets.length === 0) return null;
   const range = rangeOver(whatIf.base, sets, by, value);
   if (!range) return nothing;
   const own = value?.[0] ?? null;
   const valueText = (of: number | null) => (of === null ? 'none crosses' : scale.text(of));
-  const { text, withChance } = textOf(range, scale);
   return {
-    text: isAlone ? `${text}${farthestText(sets, by, own, scale)}` : text,
-    withChance,
+    ...textOf(range, scale),
     why: [`${modelName(whatIf.model)} ${valueText(own ?? valueOf(whatIf.base, by))} (this run)`, ...sets.map((model) => `${modelText(model)} ${valueText(valueOf(model, by))}`)].join(', '),
   };
 }
@@ -150,17 +138,17 @@ function factorsText({ standard, applied_factors: applied }: LineAnswer): string
 /// By the standard of [design]; without one the figures as they are. Its ranges are over the fences that the sets need.
 function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
   const { whole, standard } = of;
-  const figure = (name: string, scale: Scale, by: NeededFigure) => figureOf(name, { by, value: neededInterval(whole, by), scale, isAlone: false }, of, whatIf);
+  const figure = (name: string, scale: Scale, by: NeededFigure) => figureOf(name, { by, value: neededInterval(whole, by), scale }, of, whatIf);
   const worst = worstOf(of);
   return {
     key: 'fence',
     title: worst ? 'Fence needed, whole line' : 'Fence needed',
     figures: [
-      ...(standard === null ? [] : [figure('', classScale, 'needs_class')]),
+      ...(standard === null ? [] : [figure('class', classScale, 'needs_class')]),
       figure('energy', scaleOf('J'), 'needs_energy_J'),
       figure('height', scaleOf('m'), 'needs_height_m'),
     ],
-    note: [worst && `Worst stretch, red, ${worstText(worst, standard)}.`, factorsText(of)].filter(Boolean).join(' '),
+    notes: [...(worst ? [`Worst stretch, red, ${worstText(worst, standard)}.`] : []), factorsText(of)],
   };
 }
 
@@ -173,26 +161,19 @@ export function cardsOf(of: AskedAnswer, whatIf: WhatIfAnswer | null, placeText:
   const rocks = isArea ? of.entering.rocks : of.whole.rocks;
   const at = (key: LineQuantity) => percentiles[key]?.[percentile] ?? null;
   const [energy, height] = [scaleOf('J'), scaleOf('m')];
-  const figure = (name: string, by: LineQuantity, scale: Scale, isAlone: boolean) => figureOf(name, { by, value: at(by), scale, isAlone }, of, found);
+  const figure = (name: string, by: LineQuantity, scale: Scale) => figureOf(name, { by, value: at(by), scale }, of, found);
+  const passing = figureOf('', { by: 'share', value: share && [share.value, share.low, share.high], scale: shareScale }, of, whatIf);
+  const top = figure('', 'height_m', height);
+  const byModels = ({ models }: CardFigure) => (models?.why ? [`By models: ${models.why}.`] : []);
   const cards: Card[] = [
     {
       key: 'share',
       title: `${isArea ? 'Enters' : 'Passes'} ${placeText}`,
-      figures: [figureOf('', { by: 'share', value: share && [share.value, share.low, share.high], scale: shareScale, isAlone: true }, of, whatIf)],
-      note: `${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks`,
+      figures: [passing],
+      notes: [`${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks.`, ...byModels(passing)],
     },
-    {
-      key: 'energy',
-      title: `${percentile} % energy there`,
-      figures: [figure('translational', 'ke_translational_J', energy, false), figure('total', 'ke_total_J', energy, false)],
-      note: '',
-    },
-    {
-      key: 'height',
-      title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`,
-      figures: [figure('', 'height_m', height, true)],
-      note: '',
-    },
+    { key: 'energy', title: `${percentile} % energy there`, figures: [figure('translational', 'ke_translational_J', energy), figure('total', 'ke_total_J', energy)], notes: [] },
+    { key: 'height', title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`, figures: [top], notes: byModels(top) },
   ];
   return isArea ? cards : [...cards, fenceOf(of, found)];
 }
