@@ -21,8 +21,8 @@ def reference_page() -> str:
                                                 talus.calibrate, talus.sensitivity, talus.open_results,
                                                 talus.columns, talus.schema])]
     for kind in (talus.Project, talus.Shape, talus.Model, talus.Results, talus.Estimate, talus.LineAnswer,
-                 talus.PolygonAnswer, talus.DitchAnswer, talus.WhatIf, talus.Comparison, talus.Calibration,
-                 talus.Sensitivity, talus.Map, talus.Trajectory, talus.Surface, talus.BadInput, talus.Problem,
+                 talus.PolygonAnswer, talus.DitchAnswer, talus.Ensembles, talus.WhatIf, talus.Range, talus.Comparison,
+                 talus.Calibration, talus.Sensitivity, talus.Map, talus.Trajectory, talus.Surface, talus.BadInput, talus.Problem,
                  talus.Interrupted):
         parts.append(class_text(kind))
     for module in (impact, flight, plots):

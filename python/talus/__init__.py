@@ -12,10 +12,12 @@ In ten lines::
 
 from . import distributions as _distributions, flight, impact, plots, settings as _settings
 from ._talus import __version__
-from .answers import DitchAnswer, Ensembles, Kit, KitAnswer, LineAnswer, PolygonAnswer
+from .answers import DitchAnswer, LineAnswer, PolygonAnswer
 from .comparison import Comparison, Difference, compare
 from .distributions import *
+from .ensembles import Ensembles
 from .estimates import Estimate
+from .kits import Kit, KitAnswer
 from .maps import Map, MapClass
 from .overrides import schema
 from .problems import BadInput, Interrupted, Problem
@@ -27,12 +29,12 @@ from .rock_shapes import Shape
 from .studies import Calibration, Sensitivity, calibrate, sensitivity
 from .surface import Surface
 from .trajectory import Trajectory
-from .variations import Figures, Variation, WhatIf, what_if
+from .variations import Figures, Range, Variation, WhatIf, what_if
 
 __all__ = [
     "__version__", "flight", "impact", "plots", "BadInput", "Calibration", "Column", "Comparison", "Difference",
     "DitchAnswer", "Ensembles", "Estimate", "Figures", "Interrupted", "Kit", "KitAnswer", "LineAnswer", "Map",
-    "MapClass", "Model", "PolygonAnswer", "Problem", "Project", "Results", "Sensitivity", "Surface", "Trajectory",
+    "MapClass", "Model", "PolygonAnswer", "Problem", "Project", "Range", "Results", "Sensitivity", "Surface", "Trajectory",
     "Variation", "WhatIf", "calibrate", "columns", "compare", "follow", "open_results", "prepare", "run", "schema",
     "sensitivity", "what_if",
 ]

@@ -2,83 +2,26 @@
 
 from __future__ import annotations
 
-from html import escape
 import json
 from math import nan
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .ensembles import Ensembles
 from .estimates import Estimate
+from .kits import Kit, KitAnswer, needed
 from .problems import Problem
+from .tables import Table
+from .texts import class_text, count_text, fence_note, sampling_text, titles_of, value_text
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
-__all__ = ["DitchAnswer", "Ensembles", "Kit", "KitAnswer", "LineAnswer", "PolygonAnswer"]
+__all__ = ["DitchAnswer", "LineAnswer", "PolygonAnswer"]
 
 _quantities = (("energy", "kJ", 1000), ("height", "m", 1), ("velocity", "m_s", 1))
-
-
-class Kit(NamedTuple):
-    """A barrier kit."""
-
-    kit_class: int | None
-    """Of its energy, by EAD 340059-00-0106; None: it is in none."""
-    energy_kJ: float
-    height_m: float
-
-    @classmethod
-    def _of(cls, given: dict[str, Any] | None) -> Kit | None:
-        return given and cls(given["class"], given["energy_J"] / 1000, given["height_m"])
-
-
-class KitAnswer(NamedTuple):
-    """What a kit on the line would stop."""
-
-    kit: Kit
-    stopped: int
-    """Rocks of those that cross."""
-    share: Estimate
-    above: int
-    """Rocks that cross above it."""
-    through: int
-    """Rocks that are low enough, but have too much energy."""
-
-
-class Ensembles(NamedTuple):
-    """How far the figures differ between the ensembles of a run with uncertain parameters: of each the value of all rocks,
-    and the range in which most ensembles are. It contains the chance of their rocks. NaN: too few ensembles."""
-
-    ensembles: int
-    """Ensembles with rocks that were asked."""
-    crossing: int
-    """Of these, with rocks that cross or enter."""
-    confidence: float
-    """The share of the ensembles that is in the ranges."""
-    share: Estimate
-    """Of the rocks that cross or enter."""
-    stopping_share: Estimate
-    """Of the rocks that stop in a polygon."""
-    energy_translational_kJ: Estimate
-    energy_total_kJ: Estimate
-    height_m: Estimate
-    velocity_m_s: Estimate
-    needs_energy_kJ: Estimate
-    """Of the fence that the check asks for at a line."""
-    needs_height_m: Estimate
-
-    @classmethod
-    def _of(cls, given: dict[str, Any] | None) -> Ensembles | None:
-        if given is None:
-            return None
-
-        def of(key: str, unit: float = 1) -> Estimate:
-            return Estimate._of(given.get(key), unit)
-
-        return cls(given["ensembles"], given["crossing"], given["confidence"], of("share"), of("stopping"),
-                   of("ke_translational_J", 1000), of("ke_total_J", 1000), of("height_m"), of("velocity_m_s"),
-                   of("needs_energy_J", 1000), of("needs_height_m"))
 
 
 class _Answer:
@@ -125,20 +68,40 @@ class _Answer:
             rows[column] = found[key]
         return rows
 
-    def _table(self) -> list[tuple[str, str]]:
+    def _shown(self) -> Table:
         raise NotImplementedError
 
     def __repr__(self) -> str:
-        text = "; ".join(f"{label}: {value}" for label, value in self._table())
-        return f"<talus.{type(self).__name__}: {text}>"
+        count = len(self.warnings)
+        return self._shown().text + (f"\n{count_text(count, 'warning')}, in warnings" if count else "")
 
     def _repr_html_(self) -> str:
-        rows = "".join(f"<tr><td>{escape(label)}</td><td>{escape(value)}</td></tr>" for label, value in self._table())
-        doubts = "".join(f"<p>{escape(str(problem))}</p>" for problem in self.warnings)
-        return f"<table>{rows}</table>{doubts}"
+        table = self._shown()
+        return table._replace(notes=[*table.notes, *map(str, self.warnings)]).html
 
 
-class LineAnswer(_Answer):
+class _PlaceAnswer(_Answer):
+    """What answers about a line or a polygon have."""
+
+    @property
+    def ensembles(self) -> Ensembles | None:
+        """The range between the ensembles of the run; None: all rocks have the same parameters."""
+        return Ensembles._of(self.json.get("ensembles"), self._percentile())
+
+    def _percentile(self) -> float:
+        raise NotImplementedError
+
+    def _cards(self, figures: dict[str, Estimate], titles: dict[str, str], notes: list[str]) -> Table:
+        """A row for each figure with its interval of sampling, and its range between the ensembles if there are any."""
+        spread = self.ensembles
+        rows = [(titles[name], value_text(name, each.value), sampling_text(name, each),
+                 *([spread._range_of(name)] if spread else [])) for name, each in figures.items()]
+        if spread:
+            notes = [*notes, f"Inputs: {spread._why()}."]
+        return Table((type(self).__name__, "", "sampling", *(["inputs"] if spread else [])), rows, notes)
+
+
+class LineAnswer(_PlaceAnswer):
     """Which rocks cross a line, and how fast, high and strong they are there.
 
     Energy, height and velocity are those below which the design percentile of the crossing rocks are. The height is that
@@ -191,6 +154,19 @@ class LineAnswer(_Answer):
         return Estimate._of(self.json["design"]["energy_J"], 1000)
 
     @property
+    def energy_translational_kJ(self) -> Estimate:
+        """The translational energy."""
+        return self._at("ke_translational_J", 1000)
+
+    @property
+    def energy_total_kJ(self) -> Estimate:
+        """The total energy: with that of spin."""
+        return self._at("ke_total_J", 1000)
+
+    def _at(self, key: str, unit: float) -> Estimate:
+        return Estimate._of(self.json["whole"]["percentiles"].get(key, {}).get(f"{self.percentile:.15g}"), unit)
+
+    @property
     def height_m(self) -> Estimate:
         """Of the block's top above the foot."""
         return Estimate._of(self.json["design"]["height_m"])
@@ -211,16 +187,16 @@ class LineAnswer(_Answer):
         return Kit._of(self.json["whole"]["needs"])
 
     @property
+    def needs_at_upper_end(self) -> Kit | None:
+        """The kit for the upper ends of the intervals; None: there are too few rocks."""
+        return Kit._of(self.json["whole"]["needs_at_upper_end"])
+
+    @property
     def kit(self) -> KitAnswer | None:
         """What the kit that was given would stop."""
         found = self.json["kit"]
         return found and KitAnswer(Kit(found["class"], found["energy_kJ"], found["height_m"]), found["stopped"],
                                    Estimate._of_share(found["share"]), found["above"], found["through"])
-
-    @property
-    def ensembles(self) -> Ensembles | None:
-        """The range between the ensembles of the run; None: all rocks have the same parameters."""
-        return Ensembles._of(self.json["ensembles"])
 
     @property
     def rocks_needed(self) -> int | None:
@@ -243,30 +219,33 @@ class LineAnswer(_Answer):
         kinds = [(name, "i8" if name == "rocks" else "f8") for name in rows.dtype.names]
         return rows.astype(kinds)
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """The profile as a frame."""
-        from .frames import frame_of
+    def frame(self, table: str = "profile") -> pandas.DataFrame:
+        """``"profile"`` or ``"sources"`` as a frame."""
+        from .frames import chosen_frame
 
-        return frame_of(self.profile)
+        return chosen_frame(self, table, ("profile", "sources"))
 
-    def _table(self) -> list[tuple[str, str]]:
-        card, rocks = self.json["card"], f"{self.crossing} of {self.rocks} rocks cross"
-        if card["share"]:
-            rocks += f", {card['share']} ({card['share_interval']})"
-        rows = [("line" if not self.name else self.name, rocks)]
-        if self.crossing:
-            below = f"{self.percentile:g} % have at most"
-            energy = f"{card['energy']} ({card['energy_interval']}), {self.energy_kind}"
-            rows += [(below, energy), ("height", f"{card['height']} ({card['height_interval']})"),
-                     ("velocity", f"{card['velocity']} ({card['velocity_interval']})")]
-            if self.standard:
-                rows.append((self.standard, card["needs"] or "no kit is enough"))
-            if self.json["kit"]:
-                rows.append(("kit", self.json["kit"]["text"]))
-        return rows
+    def plot(self, figure: str = "energy", **options: Any) -> Axes:
+        """As :func:`talus.plots.profile`; ``"sources"``: as :func:`talus.plots.sources`."""
+        from . import plots
+
+        return plots.sources(self, **options) if figure == "sources" else plots.profile(self, figure, **options)
+
+    def _percentile(self) -> float:
+        return self.percentile
+
+    def _shown(self) -> Table:
+        figures = {name: getattr(self, name) for name in
+                   ("share", "energy_translational_kJ", "energy_total_kJ", "height_m", "velocity_m_s")}
+        figures |= needed(self.needs, self.needs_at_upper_end)
+        notes = [f"{self.crossing:,} of {count_text(self.rocks, 'rock')}. {fence_note(self.standard)}"]
+        if self.json["kit"]:
+            notes.append(self.json["kit"]["text"])
+        return self._cards(figures, titles_of(self.percentile, self.name or "the line",
+                                              kit_class=class_text(self.needs, self.standard)), notes)
 
 
-class PolygonAnswer(_Answer):
+class PolygonAnswer(_PlaceAnswer):
     """Which rocks enter a polygon, which stop in it, and the maxima of each inside.
 
     The height is the bounce height of the block's lowest point above the ground.
@@ -307,28 +286,47 @@ class PolygonAnswer(_Answer):
         """Of the rocks asked."""
         return Estimate._of_share(self.json["stopping"]["share"])
 
-    @property
-    def ensembles(self) -> Ensembles | None:
-        """The range between the ensembles of the run; None: all rocks have the same parameters."""
-        return Ensembles._of(self.json["ensembles"])
-
     def percentile(self, quantity: str, percentile: float) -> Estimate:
         """Of the maxima of the rocks inside: of ``"ke_total_J"``, ``"ke_translational_J"``, ``"velocity_m_s"`` or
         ``"height_m"``, for the percentiles of the project's design (50, 95 and 99 unless it says otherwise). NaN: there
         is none."""
         return Estimate._of(self.json["percentiles"].get(quantity, {}).get(f"{percentile:.15g}"))
 
-    def to_pandas(self) -> pandas.DataFrame:
+    @property
+    def percentiles(self) -> np.ndarray:
         """A row for each quantity and percentile, with its interval."""
-        import pandas
-
         rows = [(quantity, float(percentile), *Estimate._of(found))
                 for quantity, of in self.json["percentiles"].items() for percentile, found in of.items()]
-        return pandas.DataFrame(rows, columns=["quantity", "percentile", "value", "low", "high"])
+        numbers = [(name, "f8") for name in ("percentile", "value", "low", "high")]
+        return np.array(rows, dtype=[("quantity", "U20"), *numbers])
 
-    def _table(self) -> list[tuple[str, str]]:
-        return [("enter", _count(self.entering, self.rocks, self.entering_share)),
-                ("stop inside", _count(self.stopping, self.rocks, self.stopping_share))]
+    def frame(self, table: str = "percentiles") -> pandas.DataFrame:
+        """``"percentiles"`` or ``"sources"`` as a frame."""
+        from .frames import chosen_frame
+
+        return chosen_frame(self, table, ("percentiles", "sources"))
+
+    def plot(self, **options: Any) -> Axes:
+        """As :func:`talus.plots.sources`."""
+        from . import plots
+
+        return plots.sources(self, **options)
+
+    def _percentile(self) -> float:
+        known = [float(each) for each in self.json["percentiles"]["ke_total_J"]]
+        return 95.0 if 95.0 in known or not known else known[0]
+
+    def _figures(self) -> dict[str, Estimate]:
+        def of(key: str, unit: float = 1) -> Estimate:
+            return Estimate(*(each / unit for each in self.percentile(key, self._percentile())))
+
+        return {"share": self.entering_share, "stopping_share": self.stopping_share,
+                "energy_translational_kJ": of("ke_translational_J", 1000), "energy_total_kJ": of("ke_total_J", 1000),
+                "height_m": of("height_m"), "velocity_m_s": of("velocity_m_s")}
+
+    def _shown(self) -> Table:
+        return self._cards(self._figures(), titles_of(self._percentile(), "the polygon", is_area=True),
+                           [f"{self.entering:,} of {count_text(self.rocks, 'rock')} enter, {self.stopping:,} stop inside."])
 
 
 class DitchAnswer(_Answer):
@@ -354,16 +352,16 @@ class DitchAnswer(_Answer):
         """The share of those that get past the toe which are retained."""
         return Estimate._of_share(self.json["retained"]["share"])
 
-    def _table(self) -> list[tuple[str, str]]:
-        return [("past the toe", f"{self.arriving} of {self.json['rocks']} rocks"), ("end inside", f"{self.inside}"),
-                ("beyond the far edge", f"{self.beyond}"), ("retained", _percents(self.retained))]
+    def frame(self) -> pandas.DataFrame:
+        """A row for each count of rocks: those that get past the toe, end inside, and get beyond the far edge."""
+        import pandas
 
+        counts = ("arriving", "inside", "beyond")
+        return pandas.DataFrame({"what": counts, "rocks": [getattr(self, each) for each in counts]})
 
-def _percents(share: Estimate) -> str:
-    if share.value != share.value:
-        return "unknown"
-    return f"{100 * share.value:.1f} % ({100 * share.low:.1f} to {100 * share.high:.1f} %)"
-
-
-def _count(count: int, rocks: int, share: Estimate) -> str:
-    return f"{count} of {rocks} rocks" + (f", {_percents(share)}" if share.value == share.value else "")
+    def _shown(self) -> Table:
+        return Table((type(self).__name__, "", "sampling"),
+                     [("Retained of those past the toe", value_text("share", self.retained.value),
+                       sampling_text("share", self.retained))],
+                     [f"{self.arriving:,} of {count_text(self.json['rocks'], 'rock')} get past the toe, {self.inside:,} end "
+                      f"inside, {self.beyond:,} get beyond the far edge."])

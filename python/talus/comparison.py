@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from html import escape
 import json
-from typing import TYPE_CHECKING, Any, NamedTuple, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from . import _talus
 from .answers import LineAnswer, PolygonAnswer
+from .estimates import Estimate
+from .notebook import main_statistics
 from .problems import BadInput
 from .results import Results
+from .tables import Table
+from .texts import change_text, count_text, estimate_text, signed_text, titles_of, value_text
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
 __all__ = ["Comparison", "Difference", "compare"]
 
@@ -72,7 +76,7 @@ class Comparison:
         first. Empty without one. How a change of one value acts on the same rocks, with its interval, is the question of
         :func:`talus.what_if`."""
         found = [_figures_of(answer) for answer in self.answers or ()]
-        kinds = [("figure", "U20"), *((f"{run}{end}", "f8") for run in ("first", "second") for end in ("", "_low", "_high")),
+        kinds = [("figure", "U24"), *((f"{run}{end}", "f8") for run in ("first", "second") for end in ("", "_low", "_high")),
                  ("difference", "f8")]
         rows = [(name, *found[0][name], *found[1][name], found[1][name].value - found[0][name].value)
                 for name in (found[0] if found else ())]
@@ -84,29 +88,62 @@ class Comparison:
         texts = [json.dumps(run.summary["project"]) for run in (self.first, self.second)]
         return [Difference(each["key"], each["here"], each["there"]) for each in json.loads(_talus.differences(*texts))]
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """The statistics as a frame."""
-        from .frames import frame_of
+    def frame(self, table: str = "statistics") -> pandas.DataFrame:
+        """``"statistics"``, ``"barriers"`` or ``"at_place"`` as a frame."""
+        from .frames import chosen_frame
 
-        return frame_of(self.statistics)
+        return chosen_frame(self, table, ("statistics", "barriers", "at_place"))
+
+    def plot(self, column: str = "runout_xy_m", **options: Any) -> Axes:
+        """As :func:`talus.plots.distributions`."""
+        from . import plots
+
+        return plots.distributions(self, column, **options)
+
+    def _shown(self) -> Table:
+        rows = self._rows_at_place() if self.answers else self._rows_of_statistics()
+        hits = self.barriers[self.barriers["outcome"] == "hits"]
+        rows += [(f"hits on {row['barrier']}", f"{row['first']:,}", f"{row['second']:,}", signed_text(row["difference"]))
+                 for row in hits]
+        settings = self.settings
+        notes = [f"{self.first.rocks_done:,} and {count_text(self.second.rocks_done, 'rock')}; "
+                 f"{count_text(len(settings), 'setting')} {'differs' if len(settings) == 1 else 'differ'}."]
+        notes += [f"{each.setting}: {_setting_text(each.first)}, then {_setting_text(each.second)}" for each in settings[:5]]
+        if len(settings) > 5:
+            notes.append("…")
+        return Table((type(self).__name__, "first", "second", "difference"), rows, notes)
+
+    def _rows_at_place(self) -> list[tuple[str, ...]]:
+        answer = self.answers[0]
+        is_area = isinstance(answer, PolygonAnswer)
+        titles = titles_of(answer._percentile(), "the polygon" if is_area else answer.name or "the line", is_area)
+        if not is_area:
+            titles["energy_kJ"] = titles[f"energy_{answer.energy_kind}_kJ"]
+        rows = []
+        first, second = map(_figures_of, self.answers)
+        for name, one in first.items():
+            other, title = second[name], titles["share" if name == "entering_share" else name]
+            change = Estimate(other.value - one.value, np.nan, np.nan)
+            rows.append((title, estimate_text(name, one), estimate_text(name, other), change_text(name, change)))
+        if not is_area:
+            rows.append(("Fence needed", *(str(each.needs or "none") for each in self.answers), ""))
+        return rows
+
+    def _rows_of_statistics(self) -> list[tuple[str, ...]]:
+        rows = []
+        for quantity, label, shown, unit in main_statistics:
+            for figure, name in (("mean", "mean"), ("percentiles.95", "95 %")):
+                one, other = (_figure(run.summary["statistics"].get(quantity, {}), figure) / unit
+                              for run in (self.first, self.second))
+                rows.append((f"{label}, {name}", value_text(shown, one), value_text(shown, other),
+                             change_text(shown, Estimate(other - one, np.nan, np.nan))))
+        return rows
 
     def __repr__(self) -> str:
-        count = len(self.settings)
-        return (f"<talus.Comparison of {self.first.rocks_done} and {self.second.rocks_done} rocks, "
-                f"{count} {'setting differs' if count == 1 else 'settings differ'}>")
+        return self._shown().text
 
     def _repr_html_(self) -> str:
-        settings = [_html_row(each) for each in self.settings]
-        hits = self.barriers[self.barriers["outcome"] == "hits"]
-        counts = [_html_row((f"hits on {row['barrier']}", row["first"], row["second"])) for row in hits]
-        if self.answers:
-            first, second = map(_figures_of, self.answers)
-            figures = [_html_row((name, first[name], second[name])) for name in first]
-        else:
-            rows = self.statistics[np.isin(self.statistics["figure"], ("mean", "percentile_95"))]
-            figures = [_html_row((f"{row['quantity']}, {row['figure']}", f"{row['first']:.4g}", f"{row['second']:.4g}"))
-                       for row in rows]
-        return f"<table>{_html_row(('', 'first', 'second'))}{''.join(settings + counts + figures)}</table>"
+        return self._shown().html
 
 
 def compare(first: Results, second: Results, *, line: Any = None, barrier: str | None = None,
@@ -140,7 +177,7 @@ def _figure(statistics: dict[str, Any], path: str) -> float:
 def _figures_of(answer: LineAnswer | PolygonAnswer) -> dict[str, Any]:
     if isinstance(answer, LineAnswer):
         return {name: getattr(answer, name) for name in ("share", "energy_kJ", "height_m", "velocity_m_s")}
-    return {name: getattr(answer, name) for name in ("entering_share", "stopping_share")}
+    return {"entering_share" if name == "share" else name: each for name, each in answer._figures().items()}
 
 
 def _table(rows: list[tuple[Any, ...]], words: tuple[str, str], kind: str) -> np.ndarray:
@@ -149,5 +186,5 @@ def _table(rows: list[tuple[Any, ...]], words: tuple[str, str], kind: str) -> np
                                  ("second", kind), ("difference", kind)])
 
 
-def _html_row(cells: Sequence[Any]) -> str:
-    return "<tr>" + "".join(f"<td>{escape(str(cell))}</td>" for cell in cells) + "</tr>"
+def _setting_text(value: Any) -> str:
+    return "not set" if value is None else value if isinstance(value, str) else json.dumps(value, ensure_ascii=False)

@@ -2,8 +2,21 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pandas
+
+from .problems import BadInput
+from .spoken import meant
+
+
+def chosen_frame(of: Any, table: str, known: tuple[str, ...]) -> pandas.DataFrame:
+    """The frame of one of the tables that a result has."""
+    if table not in known:
+        raise BadInput(f"there is no table {table!r} (expected {', '.join(known)}){meant(table, known)}")
+    found = getattr(of, table)
+    return found if isinstance(found, pandas.DataFrame) else frame_of(found)
 
 
 def frame_of(table: np.ndarray) -> pandas.DataFrame:

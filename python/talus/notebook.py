@@ -7,20 +7,25 @@ from html import escape
 import io
 from typing import TYPE_CHECKING
 
+from .texts import value_text
+
 if TYPE_CHECKING:
     from .results import Results
+
+# Of the end points: the quantity, what it is, and the figure in which it is shown, with its unit.
+main_statistics = (("runout_xy_m", "runout on plan", "runout_m", 1), ("max_ke_J", "maximum energy", "energy_kJ", 1000),
+                   ("max_bounce_m", "maximum bounce height", "height_m", 1))
 
 
 def html_of(result: Results) -> str:
     summary = result.summary
     rows = [("rocks", f"{result.rocks_done} of {result.rocks}")]
     rows += [(f"ended: {reason}", f"{count}") for reason, count in summary["end_reasons"].items()]
-    for key, label, scale, unit in (("runout_xy_m", "runout on plan", 1, "m"), ("max_ke_J", "maximum energy", 1000, "kJ"),
-                                    ("max_bounce_m", "maximum bounce height", 1, "m")):
+    for key, label, figure, scale in main_statistics:
         figures = summary["statistics"][key]
         if figures["count"] > 0:
-            mean, high = figures["mean"] / scale, figures["percentiles"]["95"] / scale
-            rows.append((label, f"mean {mean:.3g} {unit}, 95 % below {high:.3g} {unit}"))
+            mean, high = (value_text(figure, each / scale) for each in (figures["mean"], figures["percentiles"]["95"]))
+            rows.append((label, f"mean {mean}, 95 % below {high}"))
     rows += [(f"hits on {barrier['name']}", f"{barrier['hits']}") for barrier in summary["barriers"]]
     table = "".join(f"<tr><td>{escape(label)}</td><td>{escape(text)}</td></tr>" for label, text in rows)
     warnings = "".join(f"<p>{escape(text)}</p>" for text in result.warnings)
@@ -33,15 +38,10 @@ def _picture(result: Results) -> str:
         from matplotlib.figure import Figure
     except ImportError:
         return ""
-    from . import plots
-
     figure = Figure(figsize=(6, 3.5), layout="constrained")
     FigureCanvasAgg(figure)
     axes = figure.add_subplot()
-    if result.summary["terrain"]["kind"] == "section":
-        plots.section(result, axes=axes)
-    else:
-        plots.plan(result, axes=axes)
+    result.plot(axes=axes)
     picture = io.BytesIO()
     figure.savefig(picture, format="png", dpi=100)
     data = base64.b64encode(picture.getvalue()).decode()

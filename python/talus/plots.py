@@ -10,15 +10,17 @@ import numpy as np
 from .problems import BadInput
 from .results import Results, columns
 from .spoken import meant
+from .texts import count_text, model_name, unit_of, value_text
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .answers import LineAnswer
+    from .answers import LineAnswer, PolygonAnswer
+    from .comparison import Comparison
     from .maps import Map
-    from .variations import WhatIf
+    from .variations import Variation, WhatIf
 
-__all__ = ["barrier_curves", "changes", "histogram", "map", "plan", "profile", "section"]
+__all__ = ["barrier_curves", "changes", "distributions", "histogram", "map", "plan", "profile", "section", "sources"]
 
 # The colours of the report (report/page/style.css).
 _path = {"color": "#1f5fa8", "linewidth": 0.6, "alpha": 0.5}
@@ -86,22 +88,27 @@ def map(result: Results, name: str, *, axes: Axes | None = None, **options: Any)
 def histogram(result: Results, column: str, *, table: str = "end_points", bins: int = 40,
               axes: Axes | None = None) -> Axes:
     """The distribution of a column of a table."""
+    values, title = _numbers(result, column, table)
+    axes = _axes(axes)
+    axes.hist(values, bins=bins, color=_path["color"])
+    axes.set(xlabel=title, title=result.name, ylabel=_counted.get(table, "rows"))
+    return axes
+
+
+def _numbers(result: Results, column: str, table: str) -> tuple[np.ndarray, str]:
+    """The known values of a column in the unit in which engineers read it, and what they are."""
     known = {each.name: each for each in columns(table)}
     rows = getattr(result, table)
     numeric = [name for name in rows.dtype.names if name not in known or rows.dtype[name].kind != "U"]
     if column not in numeric:
         why = "it has words" if column in known else f"its columns of numbers are {', '.join(numeric)}"
         raise BadInput(f"{table} has no column of numbers {column!r} ({why}){meant(column, numeric)}")
-    axes = _axes(axes)
     values = rows[column]
     values = values[values != -1] if values.dtype.kind == "i" else values[np.isfinite(values)]
     meaning, unit = (known[column].meaning, known[column].unit) if column in known else (column, "")
     unit, per = _shown(unit)
-    axes.hist(values / per, bins=bins, color=_path["color"])
     meaning = re.split("[;:]", re.sub("^with `[^`]*`: ", "", meaning))[0].replace("`", "")  # without its condition
-    axes.set(xlabel=f"{meaning} [{unit}]" if unit else meaning, title=result.name,
-             ylabel=_counted.get(table, "rows"))
-    return axes
+    return values / per, f"{meaning} [{unit}]" if unit else meaning
 
 
 def barrier_curves(result: Results, barrier: str, *, axes: Axes | None = None) -> Axes:
@@ -153,32 +160,71 @@ def profile(answer: LineAnswer, figure: str = "energy", *, axes: Axes | None = N
 
 
 def changes(what_if: WhatIf, figure: str = "energy_kJ", *, axes: Axes | None = None) -> Axes:
-    """How a figure changes with each factor, the one that moves it most on top: ``"share"``, ``"energy_kJ"``,
-    ``"height_m"`` or ``"velocity_m_s"``."""
-    titles = {"share": ("share of the rocks", "%", 0.01), "energy_kJ": (f"{what_if.energy_kind} energy", "kJ", 1),
-              "height_m": ("height", "m", 1), "velocity_m_s": ("velocity", "m/s", 1)}
+    """How a figure changes with each factor and with each other rock model, what moves it most on top: ``"share"``,
+    ``"energy_kJ"`` (which the check takes), ``"energy_translational_kJ"``, ``"energy_total_kJ"``, ``"height_m"`` or
+    ``"velocity_m_s"``."""
+    titles = {"share": "share of the rocks", "energy_kJ": f"{what_if.energy_kind} energy",
+              "energy_translational_kJ": "translational energy", "energy_total_kJ": "total energy", "height_m": "height",
+              "velocity_m_s": "velocity"}
     if figure not in titles:
         raise BadInput(f"figure={figure!r}: expected {', '.join(titles)}{meant(figure, titles)}")
-    title, unit, per = titles[figure]
+    top, unit = "" if figure == "share" else f"{what_if.percentile:g} % ", unit_of(figure)
+    per = 0.01 if unit == "%" else 1
     size: dict[str, float] = {}
-    steps = [each for each in what_if.variations if each.step is not None]
-    for each in steps:
+    for each in what_if.variations:
         change = abs(getattr(each.change, figure).value)
-        size[each.factor] = max(size.get(each.factor, 0), change if np.isfinite(change) else 0)
+        size[_row(each)] = max(size.get(_row(each), 0), change if np.isfinite(change) else 0)
     order = sorted(size, key=size.__getitem__)
     axes = _axes(axes)
-    for each in steps:
+    for each in what_if.variations:
         value, low, high = (number / per for number in getattr(each.change, figure))
-        place = order.index(each.factor) + (0.2 if each.step > 0 else -0.2)
-        colour = _more if each.step > 0 else _path["color"]
+        step = each.step or 0
+        place = order.index(_row(each)) + 0.2 * np.sign(step)
+        colour = _barrier["color"] if each.step is None else _more if step > 0 else _path["color"]
         axes.barh(place, np.nan_to_num(value), height=0.35, color=colour, alpha=0.5)
         axes.plot([low, high], [place, place], color=colour, linewidth=1)
-        axes.annotate(f"{100 * each.step:+g} %", (0, place), xytext=(3 if value < 0 else -3, 0),
-                      textcoords="offset points", ha="left" if value < 0 else "right", va="center", fontsize=7)
+        label = "none crosses" if not np.isfinite(value) else f"{100 * step:+g} %" if step else ""
+        ends = [0, *(end for end in (low, high) if np.isfinite(end))]  # beside the interval
+        beside, aside = (max(ends), "left") if value < 0 else (min(ends), "right")
+        axes.annotate(label, (beside, place), xytext=(3 if value < 0 else -3, 0), textcoords="offset points",
+                      ha=aside, va="center", fontsize=7)
     axes.axvline(0, color="black", linewidth=0.8)
-    axes.set_yticks(range(len(order)), [name.replace("_", " ") for name in order])
-    axes.set(xlabel=f"change of the {title} [{unit}]",
-             title=f"own values: {getattr(what_if.base, figure).value / per:.3g} {unit}")
+    axes.set_yticks(range(len(order)), order)
+    own = value_text(figure, getattr(what_if.base, figure).value)
+    axes.set(xlabel=f"change of the {top}{titles[figure]} [{'% points' if unit == '%' else unit}]",
+             title=f"own values: {own}, rock model {model_name(what_if.model)}")
+    return axes
+
+
+def _row(variation: Variation) -> str:
+    return f"model: {variation.name}" if variation.step is None else variation.factor.replace("_", " ")
+
+
+def sources(answer: LineAnswer | PolygonAnswer, *, axes: Axes | None = None) -> Axes:
+    """The places of release on plan from which rocks get to a line or into a polygon, by the share of their own rocks that
+    do."""
+    rows = answer.sources
+    axes = _axes(axes)
+    outline = answer.foot if hasattr(answer, "foot") else np.concatenate([answer.outline, answer.outline[:1]])
+    axes.plot(*outline[:, :2].T, **_barrier, marker="o" if len(outline) == 1 else None)
+    points = axes.scatter(rows["x_m"], rows["y_m"], c=100 * rows["share"], s=9, cmap="inferno_r", vmin=0, vmax=100)
+    axes.figure.colorbar(points, ax=axes, label="share of a place's rocks [%]", shrink=0.8)
+    axes.ticklabel_format(useOffset=False, style="plain")
+    axes.locator_params(axis="x", nbins=5)
+    axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title=f"{count_text(len(rows), 'place')} of release")
+    return axes
+
+
+def distributions(both: Comparison, column: str = "runout_xy_m", *, axes: Axes | None = None) -> Axes:
+    """The share of the rocks of two runs that are at or below each value of a column of the end points."""
+    axes = _axes(axes)
+    for result, label, style in ((both.first, "first", {"color": _path["color"]}),
+                                 (both.second, "second", {"color": _more, "linestyle": "--"})):
+        values, title = _numbers(result, column, "end_points")
+        share = 100 * np.arange(1, len(values) + 1) / max(len(values), 1)
+        axes.step(np.sort(values), share, where="post", **style, label=f"{label}, {count_text(len(values), 'rock')}")
+    axes.set(xlabel=title, ylabel="share of the rocks at or below [%]", ylim=(0, 100))
+    axes.legend()
     return axes
 
 

@@ -23,6 +23,7 @@ from .surface import Surface
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
 __all__ = ["Column", "Results", "columns", "open_results"]
 
@@ -94,12 +95,19 @@ class Results:
             self._made[name] = self._source.table(name)
         return self._made[name]
 
-    def frame(self, table: str) -> pandas.DataFrame:
-        """A table as a frame of pandas, words as categories: ``result.frame("end_points")``."""
+    def frame(self, table: str = "end_points") -> pandas.DataFrame:
+        """A table as a frame of pandas, words as categories: ``result.frame("barrier_hits")``."""
         from .frames import frame_of
 
         columns(table)  # refuses unknown names
         return frame_of(getattr(self, table))
+
+    def plot(self, **options: Any) -> Axes:
+        """Of a section :func:`talus.plots.section`, in 3D :func:`talus.plots.plan`."""
+        from . import plots
+
+        is_section = self.summary["terrain"]["kind"] == "section"
+        return plots.section(self, **options) if is_section else plots.plan(self, **options)
 
     @property
     def maps(self) -> Mapping[str, Map]:

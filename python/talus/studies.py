@@ -76,6 +76,12 @@ class Calibration(_Study):
         takes its file as ``sampling={"parameters": ...}``."""
         return {file.stem: Project.read(file) for file in sorted((self.folder / "best").glob("*.toml"))}
 
+    def frame(self, table: str = "parameters") -> pandas.DataFrame:
+        """``"parameters"``, ``"posterior"`` or ``"sets"``."""
+        from .frames import chosen_frame
+
+        return chosen_frame(self, table, ("parameters", "posterior", "sets"))
+
     def __repr__(self) -> str:
         return f"<talus.Calibration in {self.folder}>"
 
@@ -95,6 +101,12 @@ class Sensitivity(_Study):
     def runs(self) -> pandas.DataFrame:
         """A row for each run: the values of the inputs and of the results."""
         return self._frame("runs.csv")
+
+    def frame(self, table: str = "effects") -> pandas.DataFrame:
+        """``"effects"`` or ``"runs"``."""
+        from .frames import chosen_frame
+
+        return chosen_frame(self, table, ("effects", "runs"))
 
     def __repr__(self) -> str:
         return f"<talus.Sensitivity in {self.folder}>"

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from .shapes import check, numbers
+
+if TYPE_CHECKING:
+    import pandas
 
 __all__ = ["Block", "Motion", "Trajectory"]
 
@@ -98,6 +101,12 @@ class Trajectory:
         check("time", times, -np.inf)
         turns = self._core.orientation_at(times.reshape(-1))
         return None if turns is None else turns.reshape(times.shape + (4,))
+
+    def frame(self) -> pandas.DataFrame:
+        """The events as a frame."""
+        from .frames import frame_of
+
+        return frame_of(self.events)
 
     def __repr__(self) -> str:
         return f"<talus.Trajectory of rock {self.rock}: {self.duration:.2f} s, {self.end_reason}>"

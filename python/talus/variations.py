@@ -2,27 +2,30 @@
 
 from __future__ import annotations
 
-from html import escape
 from io import StringIO
 import json
 import os
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple
 
 from . import _talus
-from .answers import Kit
 from .estimates import Estimate
+from .kits import Kit, needed
 from .overrides import whole_or_none
 from .places import place_of
 from .problems import BadInput, Interrupted, Problem, unicode_text
 from .project import Project
 from .runs import Model, Progress, prepare, progress_of, thread_count
 from .shapes import number
-from .spoken import about_tables
+from .spoken import about_tables, meant
+from .tables import Table
+from .texts import (change_text, class_text, count_text, fence_note, model_name, range_text, sampling_text, titles_of,
+                    value_text)
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
-__all__ = ["Figures", "Variation", "WhatIf", "what_if"]
+__all__ = ["Figures", "Range", "Variation", "WhatIf", "what_if"]
 
 
 class Figures(NamedTuple):
@@ -42,12 +45,29 @@ class Figures(NamedTuple):
     """Share of all rocks that leave the model; as a change NaN."""
     needs: Kit | None
     """The kit that the standard asks for at a line, with its factors; None: no rock crosses, or as a change."""
+    needs_at_upper_end: Kit | None
+    """That for the upper ends of the intervals; None: there are too few rocks, too."""
+    energy_translational_kJ: Estimate
+    """Design percentile of the translational energy."""
+    energy_total_kJ: Estimate
+    """Design percentile of the total energy: with that of spin."""
+
+    @property
+    def needs_energy_kJ(self) -> Estimate:
+        """Energy of the kit that the standard asks for, with the upper end of its interval."""
+        return needed(self.needs, self.needs_at_upper_end)["needs_energy_kJ"]
+
+    @property
+    def needs_height_m(self) -> Estimate:
+        """Its height, with the upper end of its interval."""
+        return needed(self.needs, self.needs_at_upper_end)["needs_height_m"]
 
     @classmethod
     def _of(cls, given: dict[str, Any]) -> Figures:
         return cls(Estimate._of(given["share"]), Estimate._of(given["energy_J"], 1000), Estimate._of(given["height_m"]),
                    Estimate._of(given["velocity_m_s"]), Estimate._of(given.get("runout_m")),
-                   Estimate._of(given.get("left")), Kit._of(given.get("needs")))
+                   Estimate._of(given.get("left")), Kit._of(given.get("needs")), Kit._of(given.get("needs_at_upper_end")),
+                   Estimate._of(given["ke_translational_J"], 1000), Estimate._of(given["ke_total_J"], 1000))
 
 
 class Variation(NamedTuple):
@@ -68,6 +88,57 @@ class Variation(NamedTuple):
     """Rocks that cross with the variation alone."""
     lost: int
     """Rocks that cross without it alone."""
+    name: str
+    """For people: ``"roughness +25 %"``, ``"sphere"``, ``"shape (block)"`` with the shapes that rocks without one got."""
+    model: str
+    """The rock model, as in a project file: the project's own, or the other one."""
+
+    @classmethod
+    def _of(cls, given: dict[str, Any], own_model: str) -> Variation:
+        difference, percent = given["difference"], given["step_percent"]
+        model = given.get("model", own_model)
+        is_model = percent is None
+        name = _model_text(model, given["changes"]) if is_model else f"{given['factor'].replace('_', ' ')} {percent:+g} %"
+        return cls(given["factor"], percent and percent / 100, given["text"], given["clipped"], Figures._of(given),
+                   Figures._of(difference), difference["gained"], difference["lost"], name, model)
+
+
+def _model_text(model: str, changes: list[dict[str, Any]]) -> str:
+    shapes = {str(each["after"]).replace("_", " "): None for each in changes if each["path"][2] == "shape"}
+    return model_name(model) + (f" ({', '.join(shapes)})" if shapes else "")
+
+
+class Range(NamedTuple):
+    """How far a figure goes over sets of the same rocks, the project's own values included.
+
+    ``low`` and ``high`` are estimates, with their own intervals of sampling; ``at_low`` and ``at_high`` the variations that
+    give them, None for the project's own values. As a text it says all of this, with units.
+    """
+
+    figure: str
+    """The name of the figure, such as ``"energy_kJ"``."""
+    low: Estimate
+    """The lowest, with its own interval of sampling."""
+    high: Estimate
+    """The highest, with its own interval of sampling."""
+    at_low: Variation | None
+    """What gives it; None: the project's own values."""
+    at_high: Variation | None
+
+    def __str__(self) -> str:
+        return (f"{range_text(self.figure, self.low.value, self.high.value)}, lowest with {_name_of(self.at_low)} "
+                f"({sampling_text(self.figure, self.low)}), highest with {_name_of(self.at_high)} "
+                f"({sampling_text(self.figure, self.high)})")
+
+
+def _name_of(end: Variation | None) -> str:
+    return "own values" if end is None else end.name
+
+
+_compared = {"share": "share", "ke_translational_J": "translational energy", "ke_total_J": "total energy",
+             "height_m": "height", "velocity_m_s": "velocity", "runout_m": "runout", "left": "rocks that leave the model"}
+_ranged = ("share", "energy_kJ", "energy_translational_kJ", "energy_total_kJ", "height_m", "velocity_m_s", "needs_energy_kJ",
+           "needs_height_m", "runout_m", "left")
 
 
 class WhatIf:
@@ -76,9 +147,9 @@ class WhatIf:
     json: dict[str, Any]
     """Everything, with the keys of what_if.json."""
 
-    def __init__(self, text: str, table: str, warnings: list[Problem]) -> None:
+    def __init__(self, text: str, table: str, warnings: list[Problem], place: str, is_area: bool) -> None:
         self.json = json.loads(text)
-        self._table, self._warnings = table, warnings
+        self._table, self._warnings, self._place, self._is_area = table, warnings, place, is_area
 
     @property
     def rocks(self) -> int:
@@ -118,46 +189,111 @@ class WhatIf:
     @property
     def variations(self) -> list[Variation]:
         """The other rock models if they were asked for; then each factor a step lower, and a step higher."""
-        return [Variation(each["factor"], each["step_percent"] and each["step_percent"] / 100, each["text"], each["clipped"], Figures._of(each),
-                          Figures._of(each["difference"]), each["difference"]["gained"], each["difference"]["lost"])
-                for each in self.json["variations"]]
+        return [Variation._of(each, self.model) for each in self.json["variations"]]
+
+    @property
+    def model(self) -> str:
+        """The project's own rock model, as in a project file."""
+        return self.json["model"]
+
+    def inputs_range(self, figure: str = "energy_kJ") -> Range | None:
+        """How far a figure goes with the inputs a step lower and higher: one of those of :class:`Figures`, or
+        ``"needs_energy_kJ"`` and ``"needs_height_m"``. None: no inputs were varied, or no rock crosses with any."""
+        return self._range(figure, self._inputs())
+
+    def models_range(self, figure: str = "energy_kJ") -> Range | None:
+        """How far a figure goes with the rock models, the project's own included; as :meth:`inputs_range`."""
+        return self._range(figure, self._models())
+
+    def _inputs(self) -> list[Variation]:
+        return [each for each in self.variations if each.step is not None]
+
+    def _models(self) -> list[Variation]:
+        return [each for each in self.variations if each.step is None]
+
+    def _range(self, figure: str, sets: list[Variation]) -> Range | None:
+        if figure not in _ranged:
+            raise BadInput(f"figure={figure!r}: expected {', '.join(_ranged)}{meant(figure, _ranged)}")
+        ends = [(getattr(of, figure), each) for of, each in ((self.base, None), *((each.figures, each) for each in sets))]
+        known = [end for end in ends if end[0].value == end[0].value]
+        if not sets or not known:
+            return None
+        (low, at_low), (high, at_high) = (choose(known, key=lambda end: end[0].value) for choose in (min, max))
+        return Range(figure, low, high, at_low, at_high)
 
     @property
     def warnings(self) -> list[Problem]:
         """Doubts about the project and the line."""
         return self._warnings
 
-    def to_pandas(self) -> pandas.DataFrame:
-        """A row for the project's own values and one for each variation, the columns of what_if.csv."""
+    def frame(self) -> pandas.DataFrame:
+        """A row for the project's own values and one for each variation: its name, then the columns of what_if.csv with the
+        rock model after the factor."""
         import pandas
 
-        return pandas.read_csv(StringIO(self._table), float_precision="round_trip", keep_default_na=False,
-                               na_values={"step_percent": "", **{key: "" for key in self._numbers()}})
+        frame = pandas.read_csv(StringIO(self._table), float_precision="round_trip", keep_default_na=False,
+                                na_values={"step_percent": "", **{key: "" for key in self._numbers()}})
+        frame.insert(0, "name", [_name_of(None), *(each.name for each in self.variations)])
+        frame.insert(2, "model", [self.model, *(each.model for each in self.variations)])
+        return frame
+
+    def plot(self, figure: str = "energy_kJ", **options: Any) -> Axes:
+        """As :func:`talus.plots.changes`."""
+        from . import plots
+
+        return plots.changes(self, figure, **options)
 
     def _numbers(self) -> list[str]:
         return [name for name in self._table.splitlines()[0].split(",") if name not in ("factor", "changes", "clipped")]
 
+    def _shown(self) -> Table:
+        """The figures with the project's own values, and their ranges."""
+        at_place = ("share", "energy_translational_kJ", "energy_total_kJ", "height_m", "velocity_m_s")
+        fence = () if self._is_area else ("needs_energy_kJ", "needs_height_m")
+        titles = self._titles()
+        rows = []
+        for figure in (*at_place, *fence) if self._place else ("runout_m", "left"):
+            own = getattr(self.base, figure)
+            rows.append((titles[figure], value_text(figure, own.value), sampling_text(figure, own),
+                         self._range_text(self.inputs_range(figure), self._inputs()),
+                         self._range_text(self.models_range(figure), self._models())))
+        notes = [f"{self.rocks:,} of {count_text(self.planned, 'rock')} in each of {len(self.variations) + 1} sets, "
+                 f"own rock model {model_name(self.model)}."]
+        if self._place and fence:
+            notes[0] += f" {fence_note(self.standard)}"
+        if self.json["models_disagree"]:
+            notes.append(self._disagreement())
+        return Table((type(self).__name__, "", "sampling", "inputs", "models"), rows, notes)
+
+    def _titles(self) -> dict[str, str]:
+        return titles_of(self.percentile, self._place, self._is_area, class_text(self.base.needs, self.standard))
+
+    @staticmethod
+    def _range_text(found: Range | None, sets: list[Variation]) -> str:
+        if found is None:
+            return "none crosses" if sets else "not varied"
+        return range_text(found.figure, found.low.value, found.high.value)
+
+    def _disagreement(self) -> str:
+        by_model: dict[str, list[str]] = {}
+        for each in self.json["models_disagree"]:
+            by_model.setdefault(model_name(each["model"]), []).append(_compared[each["figure"]])
+        return "Rock models disagree by more than chance: " + "; ".join(
+            f"{name} in {', '.join(found)}" for name, found in by_model.items()) + "."
+
     def __repr__(self) -> str:
-        return f"<talus.WhatIf of {len(self.variations)} variations, {self.rocks} of {self.planned} rocks in each>"
+        return self._shown().text
 
     def _repr_html_(self) -> str:
-        head = ("", "step", "share [%]", f"energy [kJ], {self.energy_kind}", "height [m]", "velocity [m/s]", "fence then")
-        rows = [head, ("own values", "", *_cells(self.base, ""), _fence(self.base))]
-        rows += [(each.factor, each.changes if each.step is None else f"{100 * each.step:+g} %", *_cells(each.change, "+"),
-                  _fence(each.figures)) for each in self.variations]
-        return "<table>" + "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in rows) + "</table>"
+        figures = ("share", "energy_kJ", "height_m", "velocity_m_s")
+        head = ["changes", *(self._column(figure) for figure in figures), *([] if self._is_area else ["fence then"])]
+        rows = [(each.name, *(change_text(figure, getattr(each.change, figure)) for figure in figures),
+                 *([] if self._is_area else [str(each.figures.needs or "none")])) for each in self.variations]
+        return self._shown().html + (Table(head, rows).html if self._place else "")
 
-
-def _fence(figures: Figures) -> str:
-    return "" if figures.needs is None else f"{figures.needs.energy_kJ:.3g} kJ, {figures.needs.height_m:.2f} m"
-
-
-def _cells(figures: Figures, sign: str) -> list[str]:
-    def text(figure: Estimate, unit: float = 1) -> str:
-        value, low, high = (f"{each * unit:{sign}.3g}" for each in figure)
-        return f"{value} ({low} to {high})"
-
-    return [text(figures.share, 100), text(figures.energy_kJ), text(figures.height_m), text(figures.velocity_m_s)]
+    def _column(self, figure: str) -> str:
+        titles = {"share": "share", "energy_kJ": f"{self.percentile:g} % {self.energy_kind} energy"}
+        return titles.get(figure) or self._titles()[figure]
 
 
 def what_if(project: Project | Model | str | os.PathLike[str], line: Any = None, *, barrier: str | None = None,
@@ -189,7 +325,8 @@ def what_if(project: Project | Model | str | os.PathLike[str], line: Any = None,
         *found, stopped_by = _talus.what_if(
             model._core, place, shares, "" if material is None else unicode_text("material", material),
             bool(models), whole_or_none("rocks", rocks, 1), seconds, thread_count(threads), progress_of(progress))
-    answer = WhatIf(*found)
+    name = "" if is_nowhere else "the polygon" if polygon is not None else barrier if barrier is not None else "the line"
+    answer = WhatIf(*found, name, polygon is not None)
     if isinstance(stopped_by, KeyboardInterrupt):
         raise Interrupted(answer, answer.rocks, answer.planned) from None
     if stopped_by is not None:

@@ -22,9 +22,17 @@ def test_statistics_barriers_and_settings(slope):
     assert [each.setting for each in both.settings] == ["material.Scree.normal_restitution.mean"]
     assert both.settings[0].first != both.settings[0].second == 0.2
     assert both.answers is None and len(both.at_place) == 0
-    assert "1 settings differ" not in repr(both) and "1 setting differs" in repr(both)
+    lines = repr(both).splitlines()
+    change = mean["second"] - mean["first"]
+    assert lines[1].split()[:7] == ["runout", "on", "plan,", "mean", f"{mean['first']:.1f}", "m", f"{mean['second']:.1f}"]
+    assert float(lines[1].split()[-2]) == pytest.approx(change, abs=0.05 * abs(change)) and lines[1].endswith(" m")
+    assert "1 setting differs." in repr(both) and lines[-1] == "material.Scree.normal_restitution.mean: 0.35, then 0.2"
     pytest.importorskip("pandas")
-    assert both.to_pandas()["difference"].notna().any() and "Fence" in both._repr_html_()
+    frame = both.frame()
+    assert list(frame["difference"]) == list(rows["difference"]) and "<th" in both._repr_html_()
+    assert list(both.frame("barriers")["first"]) == list(hits["first"])
+    with pytest.raises(talus.BadInput, match="^there is no table 'barrier' .expected statistics, barriers, at_place"):
+        both.frame("barrier")
 
 
 def test_at_a_line(slope, tmp_path):
@@ -33,7 +41,11 @@ def test_at_a_line(slope, tmp_path):
     assert list(both.at_place["figure"]) == ["share", "energy_kJ", "height_m", "velocity_m_s"]
     share = both.at_place[0]
     assert (share["first"], share["second"]) == (first.line(60).share.value, second.line(60).share.value)
-    assert talus.compare(first, second, barrier="Fence").answers[0].name == "Fence"
+    at_fence = talus.compare(first, second, barrier="Fence")
+    assert at_fence.answers[0].name == "Fence"
+    one, other = (answer.needs for answer in at_fence.answers)
+    assert f"class {one.kit_class}, {one.energy_kJ:.0f} kJ, {one.height_m:.3f} m" in repr(at_fence)
+    assert "Passes Fence" in repr(at_fence) and f"{other.energy_kJ:.0f} kJ" in repr(at_fence)
     same = talus.compare(first, talus.run(slope), line=60)
     assert (np.nan_to_num(same.at_place["difference"]) == 0).all() and same.settings == []
     folder = first.save(tmp_path / "out")

@@ -1,6 +1,7 @@
 """Lines, polygons and ditches, and what if: the answers of the program."""
 
 import csv
+from html import escape
 import io
 import json
 import math
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 import talus
+from talus import texts
 
 from conftest import SLOPE, SOURCE
 
@@ -76,7 +78,8 @@ def test_the_figures_of_a_line(volcano):
     assert answer.kit.stopped + answer.kit.above + answer.kit.through == answer.crossing
     sources = answer.sources
     assert sources["crossing"].sum() == answer.crossing and (sources["clearing"] <= sources["crossing"]).all()
-    assert answer.ensembles is None and "rocks cross" in repr(answer) and "<table>" in answer._repr_html_()
+    assert answer.ensembles is None
+    assert len(answer.frame("sources")) == len(sources) and list(answer.frame()["rocks"]) == list(profile["rocks"])
     other = volcano.line(LINE, design={"standard": "none", "design_percentile": 50})
     assert (other.percentile, other.standard) == (50, "") and other.energy_kJ.value < answer.energy_kJ.value
 
@@ -90,6 +93,12 @@ def test_ensembles_have_a_range(slope, tmp_path):
     for each in (found.share, found.energy_total_kJ, found.height_m, found.needs_energy_kJ):
         assert each.low <= each.value <= each.high
     assert math.isnan(found.stopping_share.value)
+    total = found.energy_total_kJ
+    row = f"95 % energy there, total          {total.value:.1f} kJ"
+    assert row in repr(found) and f"{total.low:.1f} to {total.high:.1f} kJ" in repr(found)
+    assert row in repr(results.line([[15, 0]])) and "90 % of the run's 10 ensembles" in repr(results.line([[15, 0]]))
+    frame = found.frame().set_index("figure")
+    assert frame.loc["energy_total_kJ", "low"] == total.low and "stopping_share" not in frame.index
 
 
 def test_a_line_that_no_rock_crosses(volcano):
@@ -145,11 +154,13 @@ def test_what_if_is_that_of_the_program(program, tmp_path):
     line = talus.run(project).line(LINE)
     assert (answer.base.share, answer.base.needs, answer.standard) == (line.share, line.needs, line.standard)
     assert heavier.figures.needs.energy_kJ > answer.base.needs.energy_kJ and heavier.change.needs is None
-    assert f"{heavier.figures.needs.height_m:.2f} m" in answer._repr_html_()
-    assert "variations" in repr(answer) and "<table>" in answer._repr_html_()
+    assert str(heavier.figures.needs) in answer._repr_html_() and "normal restitution +10 %" in answer._repr_html_()
+    assert "in each of 5 sets, own rock model lumped mass" in repr(answer)
     pytest.importorskip("pandas")
-    frame, rows = answer.to_pandas(), list(csv.DictReader(io.StringIO((tmp_path / "what_if.csv").read_text())))
-    assert list(frame.columns) == list(rows[0]) and list(frame["factor"]) == [row["factor"] for row in rows]
+    frame, rows = answer.frame(), list(csv.DictReader(io.StringIO((tmp_path / "what_if.csv").read_text())))
+    assert list(frame.columns) == ["name", "factor", "model", *list(rows[0])[1:]]
+    assert list(frame["factor"]) == [row["factor"] for row in rows] and set(frame["model"]) == {"lumped_mass"}
+    assert list(frame["name"]) == ["own values", "normal restitution -10 %", "normal restitution +10 %", "mass -50 %", "mass +50 %"]
     assert frame["needs_mel_kJ"][4] == pytest.approx(heavier.figures.needs.energy_kJ)
     assert frame["energy_change_J"][0] != frame["energy_change_J"][0]  # NaN: of the base
     assert frame["energy_change_J"][4] == float(rows[4]["energy_change_J"])
@@ -162,10 +173,77 @@ def test_what_if_takes_a_model_and_places_of_all_kinds(slope):
     models = talus.what_if(slope, steps={}, models=True, rocks=64)
     assert {each.factor for each in models.variations} == {"model"} and models.variations[0].step is None
     assert models.base.runout_m.value > 0 and math.isnan(models.base.energy_kJ.value)
-    assert "sphere" in models._repr_html_()
+    assert [(each.name, each.model) for each in models.variations] == [
+        ("sphere", "rigid_sphere"), ("shape (rectangle 5 6)", "rigid_body")]
+    assert "95 % runout" in repr(models) and "Passes" not in repr(models)
     volcano = talus.Project.read(VOLCANO, rocks=50)
     assert talus.what_if(volcano, polygon=POLYGON, steps={"mass": 0.2}).base.height_m.value >= 0
     assert talus.what_if(volcano, polygon=POLYGON, steps={"mass": 0.2}, rocks=64).base.needs is None
+
+
+def test_ranges_know_their_ends(slope):
+    answer = talus.what_if(slope, 30, steps={"mass": 0.5}, models=True, rocks=200)
+    light, heavy = answer.variations[2:]
+    inputs = answer.inputs_range()
+    assert (inputs.low, inputs.high) == (light.figures.energy_kJ, heavy.figures.energy_kJ)
+    assert (inputs.at_low, inputs.at_high) == (light, heavy) and inputs.low.low < inputs.low.value < inputs.low.high
+    assert f"highest with mass +50 % ({heavy.figures.energy_kJ.low:.0f} to" in str(inputs)
+    of_models = {"own": answer.base, **{each.name: each.figures for each in answer.variations[:2]}}
+    for figure in ("energy_kJ", "share", "needs_height_m", "runout_m"):
+        models, values = answer.models_range(figure), {name: getattr(of, figure).value for name, of in of_models.items()}
+        assert (models.low.value, models.high.value) == (min(values.values()), max(values.values()))
+        assert values[models.at_high.name if models.at_high else "own"] == models.high.value
+    needs = answer.models_range("needs_energy_kJ").high
+    assert math.isnan(needs.low) and needs.high > needs.value  # only the upper end is checked by a standard
+    assert answer.base.energy_translational_kJ == answer.base.energy_kJ != answer.base.energy_total_kJ
+    alone = talus.what_if(slope, 30, steps={"mass": 0.5}, rocks=64)
+    assert alone.models_range() is None and "not varied" in repr(alone)
+    nobody = talus.what_if(slope, 99, steps={"mass": 0.5}, rocks=64)
+    assert nobody.inputs_range() is None and nobody.inputs_range("share").high.value == 0
+    assert repr(nobody).splitlines()[2].split()[-6:] == ["none", "–", "none", "crosses", "not", "varied"]
+    with pytest.raises(talus.BadInput, match="^figure='energy_J': expected share, energy_kJ.* Did you mean"):
+        answer.inputs_range("energy_J")
+
+
+def test_answers_say_their_figures_with_units(volcano, slope):
+    answer = volcano.line(LINE, height=3, energy=500)
+    share, total, height, upper = answer.share, answer.energy_total_kJ, answer.height_m, answer.needs_at_upper_end
+    for row in (("Passes the line", f"{100 * share.value:.1f} %", f"{100 * share.low:.1f} to {100 * share.high:.1f} %"),
+                ("95 % energy there, total", f"{total.value:.0f} kJ", f"{total.low:.0f} to {total.high:.0f} kJ"),
+                ("95 % height of the block's top", f"{height.value:.2f} m", f"{height.low:.2f} to {height.high:.2g} m"),
+                (f"Fence needed: class {answer.needs.kit_class}, energy", f"{answer.needs.energy_kJ:.0f} kJ",
+                 f"up to {upper.energy_kJ:.0f} kJ")):
+        assert " ".join(row) in " ".join(repr(answer).split()), row
+        assert all(escape(cell, quote=True) in answer._repr_html_() for cell in row)
+    assert "166 of 400 rocks. Fence: UNI 11211-4, with its factors.\n3 m and 500 kJ here stop" in repr(answer)
+    bare = volcano.line(LINE, design={"standard": "none"})
+    assert "Fence needed, energy" in repr(bare) and "no factors are applied" in repr(bare)
+    inside = volcano.polygon(POLYGON)
+    energy = talus.Estimate(*(each / 1000 for each in inside.percentile("ke_total_J", 95)))
+    assert f"95 % energy there, total {energy.value:.0f} kJ {energy.low:.0f} to {energy.high:.0f} kJ" in " ".join(repr(inside).split())
+    assert f"Stops in the polygon {100 * inside.stopping_share.value:.1f} %" in " ".join(repr(inside).split())
+    assert list(inside.frame()["value"]) == list(inside.percentiles["value"])
+    ditch = talus.run(slope).ditch(40, 60)
+    assert list(ditch.frame()["rocks"]) == [ditch.arriving, ditch.inside, ditch.beyond]
+
+
+@pytest.mark.parametrize("value, text", [
+    (0.5, "50 %"), (0.4932, "49.3 %"), (1, "100 %"), (0.9999, "99.99 %"), (0.00001, "0.001 %")])
+def test_shares_are_texts(value, text):
+    assert texts.percent_text(value) == text
+
+
+@pytest.mark.parametrize("estimate, text", [
+    ((1234.4, 1100, 1400.2), "1,234 kJ (1,100 to 1,400 kJ)"), ((0.0712, 0.05, math.nan), "0.0712 kJ (0.05 kJ or more)"),
+    ((2, math.nan, 3), "2 kJ (up to 3 kJ)"), ((2.4, math.nan, math.nan), "2.4 kJ (too few rocks)"), ((math.nan,) * 3, "none")])
+def test_figures_are_texts(estimate, text):
+    assert texts.estimate_text("energy_kJ", talus.Estimate(*estimate)) == text
+
+
+def test_changes_are_texts():
+    assert texts.change_text("share", talus.Estimate(-0.0168, -0.02, 0.01)) == "-1.68 (-2 to +1) % points"
+    assert texts.change_text("height_m", talus.Estimate(0.12345, math.nan, math.nan)) == "+0.123 m"
+    assert texts.change_text("height_m", talus.Estimate(-1e-9, 0, 0.00042)) == "0 (0 to +0.0004) m"
 
 
 def test_control_c_keeps_the_rocks_of_a_what_if():

@@ -74,6 +74,23 @@ def test_answers_are_drawn(slope, crater):
     changed = talus.what_if(slope, 35, steps={"mass": 0.5, "normal_restitution": 0.1}, rocks=100)
     axes = talus.plots.changes(changed)
     assert [label.get_text() for label in axes.get_yticklabels()][-1] in ("mass", "normal restitution")
+    with_models = talus.what_if(slope, 30, steps={"mass": 0.5}, models=True, rocks=100)
+    axes = with_models.plot("energy_total_kJ")
+    labels = [label.get_text() for label in axes.get_yticklabels()]
+    assert sorted(labels) == ["mass", "model: shape (rectangle 5 6)", "model: sphere"]
+    sphere = with_models.variations[0].change.energy_total_kJ.value
+    assert any(bar.get_width() == pytest.approx(sphere) and round(bar.get_y() + bar.get_height() / 2) ==
+               labels.index("model: sphere") for bar in axes.patches)
+    assert axes.get_xlabel() == "change of the 95 % total energy [kJ]"
+    inside = crater.polygon([[300, 20], [400, 20], [400, 60], [300, 60]])
+    shares = inside.plot().collections[0].get_array()
+    assert shares == pytest.approx(100 * inside.sources["share"]) and answer.plot("sources").get_title() == "1 place of release"
+    first, second = talus.run(slope), talus.run(slope, material={"Rock": {"normal_restitution": 0.2}}, rocks=150)
+    drawn = talus.compare(first, second).plot("max_ke_J")
+    for line, result in zip(drawn.lines, (first, second)):
+        assert line.get_xdata() == pytest.approx(np.sort(result.end_points["max_ke_J"]) / 1000) and line.get_ydata()[-1] == 100
+    assert len(first.plot(rocks=10).lines) == 12 and len(crater.plot(rocks=5).images) == 1
+    assert list(talus.follow(slope, 3).frame()["time_s"]) == list(talus.follow(slope, 3).events["time_s"])
     with pytest.raises(talus.BadInput, match="^figure='hight': expected energy, height, velocity. Did you mean"):
         talus.plots.profile(answer, "hight")
     with pytest.raises(talus.BadInput, match="^figure='energy': expected share, energy_kJ"):
