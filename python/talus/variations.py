@@ -218,7 +218,8 @@ class WhatIf:
         known = [end for end in ends if end[0].value == end[0].value]
         if not sets or not known:
             return None
-        (low, at_low), (high, at_high) = (choose(known, key=lambda end: end[0].value) for choose in (min, max))
+        # Of equal ones the own values; they may differ by rounding.
+        (low, at_low), (high, at_high) = (choose(known, key=lambda end: float(f"{end[0].value:.9g}")) for choose in (min, max))
         return Range(figure, low, high, at_low, at_high)
 
     @property

@@ -193,6 +193,7 @@ def test_ranges_know_their_ends(slope):
         models, values = answer.models_range(figure), {name: getattr(of, figure).value for name, of in of_models.items()}
         assert (models.low.value, models.high.value) == (min(values.values()), max(values.values()))
         assert values[models.at_high.name if models.at_high else "own"] == models.high.value
+    assert answer.inputs_range("velocity_m_s").at_low is answer.inputs_range("velocity_m_s").at_high is None  # mass alone
     needs = answer.models_range("needs_energy_kJ").high
     assert math.isnan(needs.low) and needs.high > needs.value  # only the upper end is checked by a standard
     assert answer.base.energy_translational_kJ == answer.base.energy_kJ != answer.base.energy_total_kJ
