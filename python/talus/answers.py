@@ -13,7 +13,7 @@ from .estimates import Estimate
 from .kits import Kit, KitAnswer, needed
 from .problems import Problem
 from .tables import Table
-from .texts import class_text, count_text, fence_note, sampling_text, titles_of, value_text
+from .texts import count_text, fence_note, sampling_text, titles_of, value_text
 
 if TYPE_CHECKING:
     import pandas
@@ -238,11 +238,12 @@ class LineAnswer(_PlaceAnswer):
         figures = {name: getattr(self, name) for name in
                    ("share", "energy_translational_kJ", "energy_total_kJ", "height_m", "velocity_m_s")}
         figures |= needed(self.needs, self.needs_at_upper_end)
+        if not self.standard:
+            del figures["needs_class"]
         notes = [f"{self.crossing:,} of {count_text(self.rocks, 'rock')}. {fence_note(self.standard)}"]
         if self.json["kit"]:
             notes.append(self.json["kit"]["text"])
-        return self._cards(figures, titles_of(self.percentile, self.name or "the line",
-                                              kit_class=class_text(self.needs, self.standard)), notes)
+        return self._cards(figures, titles_of(self.percentile, self.name or "the line"), notes)
 
 
 class PolygonAnswer(_PlaceAnswer):

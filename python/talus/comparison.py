@@ -10,6 +10,7 @@ import numpy as np
 from . import _talus
 from .answers import LineAnswer, PolygonAnswer
 from .estimates import Estimate
+from .kits import fence_text
 from .notebook import main_statistics
 from .problems import BadInput
 from .results import Results
@@ -126,7 +127,7 @@ class Comparison:
             change = Estimate(other.value - one.value, np.nan, np.nan)
             rows.append((title, estimate_text(name, one), estimate_text(name, other), change_text(name, change)))
         if not is_area:
-            rows.append(("Fence needed", *(str(each.needs or "none") for each in self.answers), ""))
+            rows.append(("Fence needed", *(fence_text(each.needs, each.standard) for each in self.answers), ""))
         return rows
 
     def _rows_of_statistics(self) -> list[tuple[str, ...]]:

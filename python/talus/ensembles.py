@@ -35,6 +35,8 @@ class Ensembles(NamedTuple):
     needs_energy_kJ: Estimate
     """Of the fence that the check asks for at a line."""
     needs_height_m: Estimate
+    needs_class: Estimate
+    """Its energy class; without a standard it means nothing."""
     percentile: float
     """The design percentile of energies, height and velocity [%]."""
 
@@ -48,7 +50,7 @@ class Ensembles(NamedTuple):
 
         return cls(given["ensembles"], given["crossing"], given["confidence"], of("share"), of("stopping"),
                    of("ke_translational_J", 1000), of("ke_total_J", 1000), of("height_m"), of("velocity_m_s"),
-                   of("needs_energy_J", 1000), of("needs_height_m"), percentile)
+                   of("needs_energy_J", 1000), of("needs_height_m"), of("needs_class"), percentile)
 
     def frame(self) -> pandas.DataFrame:
         """A row for each figure that is known, with its range."""

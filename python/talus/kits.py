@@ -25,7 +25,11 @@ class Kit(NamedTuple):
 
     def __str__(self) -> str:
         kind = "in no class" if self.kit_class is None else f"class {self.kit_class}"
-        return f"{kind}, {value_text('energy_kJ', self.energy_kJ)}, {value_text('height_m', self.height_m)}"
+        return f"{kind}, {self._size}"
+
+    @property
+    def _size(self) -> str:
+        return f"{value_text('energy_kJ', self.energy_kJ)}, {value_text('height_m', self.height_m)}"
 
 
 class KitAnswer(NamedTuple):
@@ -41,9 +45,14 @@ class KitAnswer(NamedTuple):
     """Rocks that are low enough, but have too much energy."""
 
 
+def fence_text(kit: Kit | None, standard: str) -> str:
+    """Of a fence that is needed; its class is one by a standard."""
+    return "none" if kit is None else str(kit) if standard else kit._size
+
+
 def needed(kit: Kit | None, upper: Kit | None) -> dict[str, Estimate]:
     """What a fence needs, with the upper end of its interval."""
     def of(key: str) -> Estimate:
         return Estimate(*(nan if each is None else getattr(each, key) for each in (kit, None, upper)))
 
-    return {"needs_energy_kJ": of("energy_kJ"), "needs_height_m": of("height_m")}
+    return {"needs_class": of("kit_class"), "needs_energy_kJ": of("energy_kJ"), "needs_height_m": of("height_m")}

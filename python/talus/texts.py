@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 from math import ceil, floor, isfinite, log10
-from typing import Any
 
 from .estimates import Estimate
 
-# By their words in a project file.
-_models = {"lumped_mass": "lumped mass", "rigid_sphere": "sphere", "rigid_body": "shape"}
-_units = {"_kJ": "kJ", "_m_s": "m/s", "_m": "m"}
+_units = {"_kJ": "kJ", "_m_s": "m/s", "_m": "m", "_class": ""}
 
 
 def model_name(model: str) -> str:
-    """``"sphere"`` of ``"rigid_sphere"``."""
-    return _models.get(model, model.replace("_", " "))
+    """``"rigid sphere"`` of ``"rigid_sphere"``."""
+    return model.replace("_", " ")
 
 
 def unit_of(figure: str) -> str:
-    """``"kJ"`` of ``"energy_kJ"``; of shares ``"%"``."""
+    """``"kJ"`` of ``"energy_kJ"``; of shares ``"%"``, of classes nothing."""
     return next((unit for ending, unit in _units.items() if figure.endswith(ending)), "%")
 
 
@@ -48,7 +45,7 @@ def value_text(figure: str, value: float) -> str:
     if not isfinite(value):
         return "none"
     unit = unit_of(figure)
-    return percent_text(value) if unit == "%" else f"{number_text(value)} {unit}"
+    return percent_text(value) if unit == "%" else f"{number_text(value)} {unit}".rstrip()
 
 
 def range_text(figure: str, low: float, high: float) -> str:
@@ -59,6 +56,12 @@ def range_text(figure: str, low: float, high: float) -> str:
     if isfinite(low):
         return f"{value_text(figure, low)} or more"
     return f"up to {value_text(figure, high)}" if isfinite(high) else "too few rocks"
+
+
+def spread_text(figure: str, low: float, high: float) -> str:
+    """``"47.8 to 143 kJ"``; ``"100 % in each"`` of the sets."""
+    least, most = value_text(figure, low), value_text(figure, high)
+    return f"{least} in each" if least == most else range_text(figure, low, high)
 
 
 def sampling_text(figure: str, of: Estimate) -> str:
@@ -92,27 +95,20 @@ def count_text(count: int, one: str) -> str:
     return f"{count:,} {one}{'' if count == 1 else 's'}"
 
 
-def titles_of(percentile: float, place: str, is_area: bool = False, kit_class: str = "") -> dict[str, str]:
+def titles_of(percentile: float, place: str, is_area: bool = False) -> dict[str, str]:
     """What the figures of an answer are called. ``place``: ``"the line"``, or the name of a barrier."""
     top = f"{percentile:g} %"
-    fence = f"Fence needed{f': {kit_class}' if kit_class else ''}"
     return {"share": f"{'Enters' if is_area else 'Passes'} {place}",
             "stopping_share": f"Stops in {place}",
             "energy_translational_kJ": f"{top} energy there, translational",
             "energy_total_kJ": f"{top} energy there, total",
             "height_m": f"{top} bounce height" if is_area else f"{top} height of the block's top",
             "velocity_m_s": f"{top} velocity",
-            "needs_energy_kJ": f"{fence}, energy",
-            "needs_height_m": f"{fence}, height",
+            "needs_class": "Fence needed, class",
+            "needs_energy_kJ": "Fence needed, energy",
+            "needs_height_m": "Fence needed, height",
             "runout_m": f"{top} runout",
             "left": "Leaves the model"}
-
-
-def class_text(kit: Any, standard: str) -> str:
-    """``"class 2"``; empty: no kit, or none that a standard asks for."""
-    if kit is None or not standard:
-        return ""
-    return "no class is enough" if kit.kit_class is None else f"class {kit.kit_class}"
 
 
 def fence_note(standard: str) -> str:

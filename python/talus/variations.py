@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from io import StringIO
 import json
+from math import isnan, nan
 import os
 from typing import TYPE_CHECKING, Any, Mapping, NamedTuple
 
 from . import _talus
 from .estimates import Estimate
-from .kits import Kit, needed
+from .kits import Kit, fence_text, needed
 from .overrides import whole_or_none
 from .places import place_of
 from .problems import BadInput, Interrupted, Problem, unicode_text
@@ -18,8 +19,7 @@ from .runs import Model, Progress, prepare, progress_of, thread_count
 from .shapes import number
 from .spoken import about_tables, meant
 from .tables import Table
-from .texts import (change_text, class_text, count_text, fence_note, model_name, range_text, sampling_text, titles_of,
-                    value_text)
+from .texts import (change_text, count_text, fence_note, model_name, sampling_text, spread_text, titles_of, value_text)
 
 if TYPE_CHECKING:
     import pandas
@@ -51,6 +51,11 @@ class Figures(NamedTuple):
     """Design percentile of the translational energy."""
     energy_total_kJ: Estimate
     """Design percentile of the total energy: with that of spin."""
+
+    @property
+    def needs_class(self) -> Estimate:
+        """Energy class of the kit that the standard asks for, with the upper end of its interval."""
+        return needed(self.needs, self.needs_at_upper_end)["needs_class"]
 
     @property
     def needs_energy_kJ(self) -> Estimate:
@@ -89,7 +94,7 @@ class Variation(NamedTuple):
     lost: int
     """Rocks that cross without it alone."""
     name: str
-    """For people: ``"roughness +25 %"``, ``"sphere"``, ``"shape (block)"`` with the shapes that rocks without one got."""
+    """For people: ``"roughness +25 %"``, ``"rigid sphere"``, ``"rigid body (block)"`` with the shapes that rocks without one got."""
     model: str
     """The rock model, as in a project file: the project's own, or the other one."""
 
@@ -112,7 +117,8 @@ class Range(NamedTuple):
     """How far a figure goes over sets of the same rocks, the project's own values included.
 
     ``low`` and ``high`` are estimates, with their own intervals of sampling; ``at_low`` and ``at_high`` the variations that
-    give them, None for the project's own values. As a text it says all of this, with units.
+    give them, None for the project's own values; ``chance`` what the range may be with the chance of the rocks of each set. As a text
+    it says its ends, with units.
     """
 
     figure: str
@@ -124,9 +130,11 @@ class Range(NamedTuple):
     at_low: Variation | None
     """What gives it; None: the project's own values."""
     at_high: Variation | None
+    chance: tuple[float, float]
+    """The outermost ends of the intervals of sampling of all sets; NaN: the set at that end has too few rocks for one."""
 
     def __str__(self) -> str:
-        return (f"{range_text(self.figure, self.low.value, self.high.value)}, lowest with {_name_of(self.at_low)} "
+        return (f"{spread_text(self.figure, self.low.value, self.high.value)}, lowest with {_name_of(self.at_low)} "
                 f"({sampling_text(self.figure, self.low)}), highest with {_name_of(self.at_high)} "
                 f"({sampling_text(self.figure, self.high)})")
 
@@ -137,8 +145,8 @@ def _name_of(end: Variation | None) -> str:
 
 _compared = {"share": "share", "ke_translational_J": "translational energy", "ke_total_J": "total energy",
              "height_m": "height", "velocity_m_s": "velocity", "runout_m": "runout", "left": "rocks that leave the model"}
-_ranged = ("share", "energy_kJ", "energy_translational_kJ", "energy_total_kJ", "height_m", "velocity_m_s", "needs_energy_kJ",
-           "needs_height_m", "runout_m", "left")
+_ranged = ("share", "energy_kJ", "energy_translational_kJ", "energy_total_kJ", "height_m", "velocity_m_s", "needs_class",
+           "needs_energy_kJ", "needs_height_m", "runout_m", "left")
 
 
 class WhatIf:
@@ -198,7 +206,7 @@ class WhatIf:
 
     def inputs_range(self, figure: str = "energy_kJ") -> Range | None:
         """How far a figure goes with the inputs a step lower and higher: one of those of :class:`Figures`, or
-        ``"needs_energy_kJ"`` and ``"needs_height_m"``. None: no inputs were varied, or no rock crosses with any."""
+        ``"needs_class"``, ``"needs_energy_kJ"`` and ``"needs_height_m"``. None: no inputs were varied, or no rock crosses with any."""
         return self._range(figure, self._inputs())
 
     def models_range(self, figure: str = "energy_kJ") -> Range | None:
@@ -220,7 +228,9 @@ class WhatIf:
             return None
         # Of equal ones the own values; they may differ by rounding.
         (low, at_low), (high, at_high) = (choose(known, key=lambda end: float(f"{end[0].value:.9g}")) for choose in (min, max))
-        return Range(figure, low, high, at_low, at_high)
+        outermost = (nan if isnan(low.low) else min(each.low for each, _ in known if not isnan(each.low)),
+                     nan if isnan(high.high) else max(each.high for each, _ in known if not isnan(each.high)))
+        return Range(figure, low, high, at_low, at_high, outermost)
 
     @property
     def warnings(self) -> list[Problem]:
@@ -250,7 +260,9 @@ class WhatIf:
     def _shown(self) -> Table:
         """The figures with the project's own values, and their ranges."""
         at_place = ("share", "energy_translational_kJ", "energy_total_kJ", "height_m", "velocity_m_s")
-        fence = () if self._is_area else ("needs_energy_kJ", "needs_height_m")
+        fence = () if self._is_area else ("needs_class", "needs_energy_kJ", "needs_height_m")
+        if not self.standard:
+            fence = fence[1:]
         titles = self._titles()
         rows = []
         for figure in (*at_place, *fence) if self._place else ("runout_m", "left"):
@@ -267,13 +279,13 @@ class WhatIf:
         return Table((type(self).__name__, "", "sampling", "inputs", "models"), rows, notes)
 
     def _titles(self) -> dict[str, str]:
-        return titles_of(self.percentile, self._place, self._is_area, class_text(self.base.needs, self.standard))
+        return titles_of(self.percentile, self._place, self._is_area)
 
     @staticmethod
     def _range_text(found: Range | None, sets: list[Variation]) -> str:
         if found is None:
             return "none crosses" if sets else "not varied"
-        return range_text(found.figure, found.low.value, found.high.value)
+        return spread_text(found.figure, found.low.value, found.high.value)
 
     def _disagreement(self) -> str:
         by_model: dict[str, list[str]] = {}
@@ -289,7 +301,7 @@ class WhatIf:
         figures = ("share", "energy_kJ", "height_m", "velocity_m_s")
         head = ["changes", *(self._column(figure) for figure in figures), *([] if self._is_area else ["fence then"])]
         rows = [(each.name, *(change_text(figure, getattr(each.change, figure)) for figure in figures),
-                 *([] if self._is_area else [str(each.figures.needs or "none")])) for each in self.variations]
+                 *([] if self._is_area else [fence_text(each.figures.needs, self.standard)])) for each in self.variations]
         return self._shown().html + (Table(head, rows).html if self._place else "")
 
     def _column(self, figure: str) -> str:

@@ -46,6 +46,9 @@ def test_at_a_line(slope, tmp_path):
     one, other = (answer.needs for answer in at_fence.answers)
     assert f"class {one.kit_class}, {one.energy_kJ:.0f} kJ, {one.height_m:.3f} m" in repr(at_fence)
     assert "Passes Fence" in repr(at_fence) and f"{other.energy_kJ:.0f} kJ" in repr(at_fence)
+    bare = [talus.run(slope, design={"standard": "none"}) for _ in range(2)]
+    unclassed = repr(talus.compare(*bare, barrier="Fence"))
+    assert "Fence needed" in unclassed and "class" not in unclassed
     same = talus.compare(first, talus.run(slope), line=60)
     assert (np.nan_to_num(same.at_place["difference"]) == 0).all() and same.settings == []
     folder = first.save(tmp_path / "out")

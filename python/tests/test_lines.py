@@ -174,7 +174,7 @@ def test_what_if_takes_a_model_and_places_of_all_kinds(slope):
     assert {each.factor for each in models.variations} == {"model"} and models.variations[0].step is None
     assert models.base.runout_m.value > 0 and math.isnan(models.base.energy_kJ.value)
     assert [(each.name, each.model) for each in models.variations] == [
-        ("sphere", "rigid_sphere"), ("shape (rectangle 5 6)", "rigid_body")]
+        ("rigid sphere", "rigid_sphere"), ("rigid body (rectangle 5 6)", "rigid_body")]
     assert "95 % runout" in repr(models) and "Passes" not in repr(models)
     volcano = talus.Project.read(VOLCANO, rocks=50)
     assert talus.what_if(volcano, polygon=POLYGON, steps={"mass": 0.2}).base.height_m.value >= 0
@@ -195,7 +195,17 @@ def test_ranges_know_their_ends(slope):
         assert values[models.at_high.name if models.at_high else "own"] == models.high.value
     assert answer.inputs_range("velocity_m_s").at_low is answer.inputs_range("velocity_m_s").at_high is None  # mass alone
     needs = answer.models_range("needs_energy_kJ").high
-    assert math.isnan(needs.low) and needs.high > needs.value  # only the upper end is checked by a standard
+    assert math.isnan(needs.low) and needs.high > needs.value  # a fence is needed up to its upper end
+    assert math.isnan(answer.models_range("needs_class").chance[0])
+    assert inputs.chance == (light.figures.energy_kJ.low, heavy.figures.energy_kJ.high)
+    of_share = [of.share for of in of_models.values()]
+    assert answer.models_range("share").chance == (min(each.low for each in of_share), max(each.high for each in of_share))
+    classes = [of.needs.kit_class for of in of_models.values()]
+    assert set(classes) == {1} and str(answer.models_range("needs_class")).startswith("1 in each, ")
+    further = talus.what_if(slope, 35, steps={"mass": 0.5}, rocks=200)
+    assert [each.figures.needs.kit_class for each in further.variations] == [0, 2]
+    assert str(further.inputs_range("needs_class")).startswith("0 to 2, lowest with mass -50 % (up to 0), highest with ")
+    assert str(answer.inputs_range("share")).startswith("100 % in each, ")
     assert answer.base.energy_translational_kJ == answer.base.energy_kJ != answer.base.energy_total_kJ
     alone = talus.what_if(slope, 30, steps={"mass": 0.5}, rocks=64)
     assert alone.models_range() is None and "not varied" in repr(alone)
@@ -212,13 +222,14 @@ def test_answers_say_their_figures_with_units(volcano, slope):
     for row in (("Passes the line", f"{100 * share.value:.1f} %", f"{100 * share.low:.1f} to {100 * share.high:.1f} %"),
                 ("95 % energy there, total", f"{total.value:.0f} kJ", f"{total.low:.0f} to {total.high:.0f} kJ"),
                 ("95 % height of the block's top", f"{height.value:.2f} m", f"{height.low:.2f} to {height.high:.2g} m"),
-                (f"Fence needed: class {answer.needs.kit_class}, energy", f"{answer.needs.energy_kJ:.0f} kJ",
+                ("Fence needed, class", f"{answer.needs.kit_class}", f"up to {upper.kit_class}"),
+                ("Fence needed, energy", f"{answer.needs.energy_kJ:.0f} kJ",
                  f"up to {upper.energy_kJ:.0f} kJ")):
         assert " ".join(row) in " ".join(repr(answer).split()), row
         assert all(escape(cell, quote=True) in answer._repr_html_() for cell in row)
     assert "166 of 400 rocks. Fence: UNI 11211-4, with its factors.\n3 m and 500 kJ here stop" in repr(answer)
     bare = volcano.line(LINE, design={"standard": "none"})
-    assert "Fence needed, energy" in repr(bare) and "no factors are applied" in repr(bare)
+    assert "Fence needed, energy" in repr(bare) and "class" not in repr(bare) and "no factors are applied" in repr(bare)
     inside = volcano.polygon(POLYGON)
     energy = talus.Estimate(*(each / 1000 for each in inside.percentile("ke_total_J", 95)))
     assert f"95 % energy there, total {energy.value:.0f} kJ {energy.low:.0f} to {energy.high:.0f} kJ" in " ".join(repr(inside).split())

@@ -77,10 +77,10 @@ def test_answers_are_drawn(slope, crater):
     with_models = talus.what_if(slope, 30, steps={"mass": 0.5}, models=True, rocks=100)
     axes = with_models.plot("energy_total_kJ")
     labels = [label.get_text() for label in axes.get_yticklabels()]
-    assert sorted(labels) == ["mass", "model: shape (rectangle 5 6)", "model: sphere"]
+    assert sorted(labels) == ["mass", "model: rigid body (rectangle 5 6)", "model: rigid sphere"]
     sphere = with_models.variations[0].change.energy_total_kJ.value
     assert any(bar.get_width() == pytest.approx(sphere) and round(bar.get_y() + bar.get_height() / 2) ==
-               labels.index("model: sphere") for bar in axes.patches)
+               labels.index("model: rigid sphere") for bar in axes.patches)
     assert axes.get_xlabel() == "change of the 95 % total energy [kJ]"
     inside = crater.polygon([[300, 20], [400, 20], [400, 60], [300, 60]])
     shares = inside.plot().collections[0].get_array()
