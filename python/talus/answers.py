@@ -10,6 +10,7 @@ import numpy as np
 
 from .ensembles import Ensembles
 from .estimates import Estimate
+from .framed import Framed
 from .kits import Kit, KitAnswer, needed
 from .problems import Problem
 from .tables import Table
@@ -80,7 +81,7 @@ class _Answer:
         return table._replace(notes=[*table.notes, *map(str, self.warnings)]).html
 
 
-class _PlaceAnswer(_Answer):
+class _PlaceAnswer(Framed, _Answer):
     """What answers about a line or a polygon have."""
 
     @property

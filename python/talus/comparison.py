@@ -10,6 +10,7 @@ import numpy as np
 from . import _talus
 from .answers import LineAnswer, PolygonAnswer
 from .estimates import Estimate
+from .framed import Framed
 from .kits import fence_text
 from .notebook import main_statistics
 from .problems import BadInput
@@ -36,7 +37,7 @@ class Difference(NamedTuple):
     second: Any
 
 
-class Comparison:
+class Comparison(Framed):
     """Two runs side by side: statistics, barriers, settings that differ, and answers at the same line or polygon."""
 
     first: Results

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Mapping, NamedTuple
 
 from . import _talus
 from .estimates import Estimate
+from .framed import Framed
 from .kits import Kit, fence_text, needed
 from .overrides import whole_or_none
 from .places import place_of
@@ -149,7 +150,7 @@ _ranged = ("share", "energy_kJ", "energy_translational_kJ", "energy_total_kJ", "
            "needs_energy_kJ", "needs_height_m", "runout_m", "left")
 
 
-class WhatIf:
+class WhatIf(Framed):
     """The figures at a line, or in a polygon, with a project's own values and with each factor a step lower and higher."""
 
     json: dict[str, Any]

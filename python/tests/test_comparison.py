@@ -29,6 +29,7 @@ def test_statistics_barriers_and_settings(slope):
     assert "1 setting differs." in repr(both) and lines[-1] == "material.Scree.normal_restitution.mean: 0.35, then 0.2"
     pytest.importorskip("pandas")
     frame = both.frame()
+    assert both.to_pandas().equals(frame)
     assert list(frame["difference"]) == list(rows["difference"]) and "<th" in both._repr_html_()
     assert list(both.frame("barriers")["first"]) == list(hits["first"])
     with pytest.raises(talus.BadInput, match="^there is no table 'barrier' .expected statistics, barriers, at_place"):
