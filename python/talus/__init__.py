@@ -17,7 +17,7 @@ from .comparison import Comparison, Difference, compare
 from .distributions import *
 from .ensembles import Ensembles
 from .estimates import Estimate
-from .kits import Kit, KitAnswer
+from .kits import Kit, KitAnswer, Stretch
 from .maps import Map, MapClass
 from .overrides import schema
 from .problems import BadInput, Interrupted, Problem
@@ -34,9 +34,9 @@ from .variations import Figures, Range, Variation, WhatIf, what_if
 __all__ = [
     "__version__", "flight", "impact", "plots", "BadInput", "Calibration", "Column", "Comparison", "Difference",
     "DitchAnswer", "Ensembles", "Estimate", "Figures", "Interrupted", "Kit", "KitAnswer", "LineAnswer", "Map",
-    "MapClass", "Model", "PolygonAnswer", "Problem", "Project", "Range", "Results", "Sensitivity", "Surface", "Trajectory",
-    "Variation", "WhatIf", "calibrate", "columns", "compare", "follow", "open_results", "prepare", "run", "schema",
-    "sensitivity", "what_if",
+    "MapClass", "Model", "PolygonAnswer", "Problem", "Project", "Range", "Results", "Sensitivity", "Stretch", "Surface",
+    "Trajectory", "Variation", "WhatIf", "calibrate", "columns", "compare", "follow", "open_results", "prepare", "run",
+    "schema", "sensitivity", "what_if",
 ]
 __all__ += _distributions.__all__
 __all__ += _settings.__all__

@@ -11,7 +11,7 @@ import numpy as np
 from .ensembles import Ensembles
 from .estimates import Estimate
 from .framed import Framed
-from .kits import Kit, KitAnswer, needed
+from .kits import Kit, KitAnswer, Stretch, fence_text, needed
 from .problems import Problem
 from .tables import Table
 from .texts import count_text, fence_note, sampling_text, titles_of, value_text
@@ -193,6 +193,15 @@ class LineAnswer(_PlaceAnswer):
         return Kit._of(self.json["whole"]["needs_at_upper_end"])
 
     @property
+    def worst(self) -> Stretch | None:
+        """The stretch that asks for the most energy; None: no rock crosses."""
+        found = self.json["worst"]
+        if not found:
+            return None
+        section = self.json["sections"][found["section"]]
+        return Stretch(found["from_m"], found["to_m"], section["rocks"], Kit._of(section["needs"]))
+
+    @property
     def kit(self) -> KitAnswer | None:
         """What the kit that was given would stop."""
         found = self.json["kit"]
@@ -241,7 +250,11 @@ class LineAnswer(_PlaceAnswer):
         figures |= needed(self.needs, self.needs_at_upper_end)
         if not self.standard:
             del figures["needs_class"]
-        notes = [f"{self.crossing:,} of {count_text(self.rocks, 'rock')}. {fence_note(self.standard)}"]
+        notes = [f"{self.crossing:,} of {count_text(self.rocks, 'rock')}. {fence_note(self.standard, self.json['applied_factors'])}"]
+        if self.worst and len(self.json["sections"]) > 1:
+            start, end = (value_text("height_m", each) for each in self.worst[:2])
+            notes.append(f"Worst stretch: {start} to {end}, {fence_text(self.worst.needs, self.standard)}, "
+                         f"{count_text(self.worst.rocks, 'rock')}.")
         if self.json["kit"]:
             notes.append(self.json["kit"]["text"])
         return self._cards(figures, titles_of(self.percentile, self.name or "the line"), notes)

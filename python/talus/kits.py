@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from .estimates import Estimate
 from .texts import value_text
 
-__all__ = ["Kit", "KitAnswer"]
+__all__ = ["Kit", "KitAnswer", "Stretch"]
 
 
 class Kit(NamedTuple):
@@ -30,6 +30,18 @@ class Kit(NamedTuple):
     @property
     def _size(self) -> str:
         return f"{value_text('energy_kJ', self.energy_kJ)}, {value_text('height_m', self.height_m)}"
+
+
+class Stretch(NamedTuple):
+    """A part of a line."""
+
+    from_m: float
+    """Along the line."""
+    to_m: float
+    rocks: int
+    """That cross there."""
+    needs: Kit | None
+    """The kit that the standard asks for there."""
 
 
 class KitAnswer(NamedTuple):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from math import ceil, floor, isfinite, log10
+from typing import Any
 
 from .estimates import Estimate
 
@@ -111,6 +113,7 @@ def titles_of(percentile: float, place: str, is_area: bool = False) -> dict[str,
             "left": "Leaves the model"}
 
 
-def fence_note(standard: str) -> str:
-    """Whose factors a fence has."""
-    return f"Fence: {standard}, with its factors." if standard else "Fence: no standard is chosen, no factors are applied."
+def fence_note(standard: str, applied: Sequence[Mapping[str, Any]] = ()) -> str:
+    """Whose factors a fence has, and those that are known to apply."""
+    factors = ", ".join(f"{each['symbol']} {each['value']:g}" for each in applied if each["value"] != 1)
+    return f"Fence: {standard}, with {factors or 'its factors'}." if standard else "Fence: no standard is chosen, no factors are applied."
