@@ -3,8 +3,8 @@
 import type { Relief } from '../archive/summary';
 import { isNumber } from './format';
 
-/// The height at a place between grid points; null outside and at holes.
-export function reliefHeight({ x0, y0, cell_m, columns, rows, z_m }: Relief, x: number, y: number): number | null {
+// The height at a place between grid points; null outside and at holes.
+function reliefHeight({ x0, y0, cell_m, columns, rows, z_m }: Relief, x: number, y: number): number | null {
   const [i, j] = [(x - x0) / cell_m, (y - y0) / cell_m];
   const [i0, j0] = [Math.min(Math.floor(i), columns - 2), Math.min(Math.floor(j), rows - 2)];
   if (i < -1e-6 || j < -1e-6 || i > columns - 1 + 1e-6 || j > rows - 1 + 1e-6 || i0 < 0 || j0 < 0) return null;
@@ -14,6 +14,17 @@ export function reliefHeight({ x0, y0, cell_m, columns, rows, z_m }: Relief, x: 
   const [s, t] = [i - i0, j - j0];
   return (southWest * (1 - s) + southEast * s) * (1 - t) + (northWest * (1 - s) + northEast * s) * t;
 }
+
+/// The height at places, also at those of the outer half cells, where it is that of the next grid point.
+export const groundIn = (relief: Relief) => (x: number, y: number): number | null => {
+  const { x0, y0, cell_m, columns, rows } = relief;
+  const within = (value: number, first: number, count: number) => {
+    const last = first + (count - 1) * cell_m;
+    const nearest = Math.min(Math.max(value, first), last);
+    return Math.abs(value - nearest) <= 0.51 * cell_m ? nearest : value;
+  };
+  return reliefHeight(relief, within(x, x0, columns), within(y, y0, rows));
+};
 
 /// Red, green, blue and opacity up to 255.
 type Pixel = [number, number, number, number];

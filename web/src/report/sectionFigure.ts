@@ -2,18 +2,19 @@
 
 import type { Settings } from '../archive/summary';
 import * as d3 from '../figures/d3';
-import { axes, legend, type Group, type LegendEntry, type Scale, type Side } from '../figures/plot';
+import { axes, legend, sign, type Group, type LegendEntry, type Scale, type Side } from '../figures/plot';
 import { tip } from '../figures/tip';
 import { choice } from './choice';
 import type { PathRow, Rock } from './data';
 import { drawing, element, figure } from './figure';
 import { axisIn, givenLength, isList, unitIn } from './format';
+import type { Over } from './groundBand';
 import { clippedGroup } from './mapframe';
 import { roundScale, unitsPerMetre } from './mapRoom';
 import { drawRocks, rockSigns, shownRows, shownText } from './rocks';
 import { firstRun, materialsOf, nameIn, tableOf, type Run } from './run';
 import { drawScaleBar, scaleText } from './scaleBar';
-import { slope, type Ground, type Slope, type Wall } from './slope';
+import { groundUnder, slope, type Ground, type Slope, type Wall } from './slope';
 import { boxOfText } from './textBoxes';
 import { travel, type Point } from './travel';
 
@@ -101,13 +102,13 @@ function drawMaterials(group: Group, { run, points }: Ground, lineOf: (points: P
   return used;
 }
 
-// Draws the ground. Returns the names of the materials that it shows.
+// Draws the ground of runs in 2D. Returns the names of the materials that it shows.
 function drawGround(group: Group, { grounds, agree }: Slope, { side, toX, toY }: SectionFrame): Set<string> {
   const line = d3.line<Point>().x(([u]) => toX(u)).y(([, z]) => toY(z));
   const differ = grounds.length > 1 && !agree;
   let used = new Set<string>();
   for (const [k, ground] of grounds.entries()) {
-    const { run, isSection } = ground;
+    const { run } = ground;
     const points = [...ground.points];
     const [first, last] = [points[0], points.at(-1)];
     if (!first || !last || (agree && k > 0)) continue;
@@ -115,9 +116,35 @@ function drawGround(group: Group, { grounds, agree }: Slope, { side, toX, toY }:
     if (k === 0) group.append('path').attr('class', 'ground').attr('d', `${line(points)}${down}`);
     const edge = group.append('path').attr('class', 'ground-line').attr('d', line(points));
     if (differ) edge.style('stroke', run.colour);
-    if (isSection && !differ) used = drawMaterials(group, ground, line);
+    if (!differ) used = drawMaterials(group, ground, line);
   }
   return used;
+}
+
+// Draws the ground under the trajectories of runs in 3D, from the lowest to the highest.
+function drawBands(group: Group, { bands }: Slope, { side, toX, toY }: SectionFrame) {
+  const line = d3.line<Point>().x(([u]) => toX(u)).y(([, z]) => toY(z));
+  for (const [k, { run, band }] of bands.entries()) {
+    for (const { u, low, high } of band) {
+      const pointsOf = (edge: readonly number[]) => edge.map((z, i): Point => [u[i]!, z]);
+      const [below, above] = [pointsOf(low), pointsOf(high)];
+      const down = `L${toX(u.at(-1)!)},${side.bottom}L${toX(u[0]!)},${side.bottom}Z`;
+      if (k === 0) group.append('path').attr('class', 'ground').attr('d', `${line(below)}${down}`);
+      group.append('path').attr('class', 'ground-band').attr('d', `${line([...below, ...[...above].reverse()])}Z`);
+      for (const edge of [below, above]) {
+        const drawn = group.append('path').attr('class', 'ground-line edge').attr('d', line(edge));
+        if (bands.length > 1) drawn.style('stroke', run.colour);
+      }
+    }
+  }
+}
+
+// The ground under the selected rocks, on which their bounces can be read.
+function drawGroundOfChosen(group: Group, { toX, toY }: SectionFrame) {
+  const line = d3.line<Over>().x(({ u }) => toX(u)).y(({ ground }) => toY(ground));
+  for (const rock of choice.rocks) {
+    if (rock) group.append('path').attr('class', 'ground-of-chosen').attr('d', line(groundUnder(rock)));
+  }
 }
 
 function drawWall(group: Group, { name, height_m, u, foot, top }: Wall, { side, toX, toY }: SectionFrame) {
@@ -138,6 +165,14 @@ const materialSign = (name: string): LegendEntry => ({
   },
 });
 
+const bandSigns = ({ bands }: Slope): LegendEntry[] =>
+  bands.length === 0
+    ? []
+    : [
+        { text: 'ground under trajectories', draw: sign.box('ground-band') },
+        { text: 'ground under selected rock', draw: sign.line('ground-of-chosen') },
+      ];
+
 /// Draws the section into a frame of at most this size. Returns the y of its end.
 export function drawSection(svg: Group, of: Slope, width: number, tallest: number, id: string): number {
   const frame = equalFrame(of, width, tallest);
@@ -146,26 +181,29 @@ export function drawSection(svg: Group, of: Slope, width: number, tallest: numbe
   axes(svg, axisIn('m', toX), axisIn('m', toY), side, { xLabel: `${travel.label} [${unit}]`, yLabel: `z [${unit}]` });
   const inside = clippedGroup(svg, id, side);
   const materials = drawGround(inside, of, frame);
+  drawBands(inside, of, frame);
+  if (of.bands.length > 0) drawGroundOfChosen(inside, frame);
   drawRocks(inside, pathOf(frame), (place) => [toX(travel.along(place)), toY(place.z)]);
   for (const wall of of.walls) drawWall(inside, wall, frame);
   drawScaleBar(inside, side, scale);
-  const end = drawLegend(svg, side, width, [...rockSigns(), ...[...materials].map(materialSign)]);
+  const end = drawLegend(svg, side, width, [...rockSigns(), ...bandSigns(of), ...[...materials].map(materialSign)]);
   const note = svg.append('text').attr('class', 'map-note').text(`${scaleText(denominator)}, both axes`);
   note.attr('x', side.left).attr('y', end + 8);
   return end + 16;
 }
 
-function sectionCaption({ grounds }: Slope): string {
-  const across = travel.isX
-    ? 'The ground is drawn along the middle of the terrain.'
-    : 'The ground is drawn along a line through the mean release point; rocks off that line may appear above or below the ground.';
+/// Says what the ground of a section of runs in 3D is; empty if it is that of runs in 2D.
+export const projectionText = ({ bands }: Slope): string =>
+  bands.length > 0 ? 'Trajectories are projected onto the section; the band is the lowest to the highest ground under them.' : '';
+
+function sectionCaption(of: Slope): string {
   return [
     shownText(),
     'Both axes have the same scale; flights are true parabolas. Click a trajectory to select its rock.',
-    ...(grounds.some(({ isSection }) => !isSection) ? [across] : []),
+    projectionText(of),
     ...(travel.isX ? [] : [`The mean direction of travel is ${travel.bearing} clockwise from the y axis.`]),
-    ...(grounds.length > 0 ? [] : ['The summary has no ground to draw.']),
-  ].join(' ');
+    ...(of.grounds.length + of.bands.length > 0 ? [] : ['The summary has no ground to draw.']),
+  ].filter((text) => text !== '').join(' ');
 }
 
 export function sectionFigure(parent: Group, width = drawing.wide) {

@@ -14,7 +14,7 @@ import { onPaper } from './paper';
 import { drawPlan, plan, planCaption } from './plan';
 import { shownText } from './rocks';
 import { metricParts, paperName, papers, runs, single, titleBlock } from './run';
-import { drawSection } from './sectionFigure';
+import { drawSection, projectionText } from './sectionFigure';
 import { arrangementIn, unitsOf, type Scales } from './sheetArrangement';
 import { slope } from './slope';
 import { titleBlockTable } from './titleBlock';
@@ -72,7 +72,7 @@ function sheetNotes(parent: Group) {
   const note = (text: string) => element(notes, 'p', text, { class: 'quiet' });
   unitNote(notes, metricParts);
   note(plan ? planCaption(plan, mapRoom(drawing.wide), plan.opens) : shownText());
-  if (slope?.grounds.some(({ isSection }) => !isSection)) note('The section lies along the mean direction of travel.');
+  if (slope && projectionText(slope)) note(projectionText(slope));
   const warnings = runs.reduce((sum, { summary }) => sum + (summary.warnings?.length ?? 0), 0);
   if (warnings > 0) note(`The run has ${count(warnings, 'warning')}; see the next page.`);
 }
