@@ -83,6 +83,10 @@ test('a section is drawn and tabled in feet and kip-feet on request', async ({ p
 test('the reader changes the units of a report; coordinates of a terrain stay', async ({ page }) => {
   talus('run', tutorial('3d'), '-q', '-o', 'out');
   await openReport(page, 'out/report.html');
+  await expect(page.locator('#head')).toContainText('Rock model lumped mass, 3D');
+  await expect(page.locator('#head')).toContainText('With another rock model');
+  await expect(page.locator('#head code')).toHaveText('talus compare PROJECT.toml --models');
+  await expect(page.locator('#slope figcaption').last()).toContainText('the lowest to the highest ground under them');
   const body = async () => (await page.locator('main').innerText()).replace(/\s+/g, ' ');
   const metric = await body();
   expect(metric).not.toMatch(/\bft\b/);

@@ -3,6 +3,7 @@
 import { line } from 'd3-shape';
 import type { SidePlace, SideView } from '../archive/modelComparison';
 import { openDrawing, openPlot, sign, type Range, type Room } from './plot';
+import { rockModelTitle } from './rockModels';
 
 /// Beside the colours, for print in grey.
 const dashes: Record<string, string> = { rigid_sphere: '8 3', rigid_body: '2 3' };
@@ -12,11 +13,6 @@ export const modelColours: Record<string, string> = {
   lumped_mass: '#0072b2',
   rigid_sphere: '#d55e00',
   rigid_body: '#009e73',
-};
-export const modelNames: Record<string, string> = {
-  lumped_mass: 'Lumped mass',
-  rigid_sphere: 'Rigid sphere',
-  rigid_body: 'Rigid body',
 };
 
 /// What all sets together reach.
@@ -62,7 +58,7 @@ export function sideView(element: SVGSVGElement, room: Room, { of, which, unit, 
     xLabel: `${of.is_section ? 'x' : 'Along the mean way of the rocks'} [${unit}]`,
     yLabel: `Elevation [${unit}]`,
     entries: [
-      { text: `${modelNames[model] ?? model}, ${paths.length} rocks`, draw: sign.line('model-path', colour) },
+      { text: `${rockModelTitle(model)}, ${paths.length} rocks`, draw: sign.line('model-path', colour) },
       { text: of.is_section ? 'Ground' : 'Ground along that way', draw: sign.line('model-ground') },
     ],
   });
@@ -84,7 +80,7 @@ export function reach(element: SVGSVGElement, room: Room, { of, unit, per }: { o
     xLabel: `Runout on plan [${unit}]`,
     yLabel: 'Rocks that go at least so far [%]',
     entries: of.sets.map(({ model }) => ({
-      text: modelNames[model] ?? model,
+      text: rockModelTitle(model),
       draw: sign.line('curve', modelColours[model] ?? '#555', dashes[model] ?? ''),
     })),
   });

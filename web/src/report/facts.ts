@@ -1,20 +1,27 @@
 // What the page says of its runs below the heading.
 
 import type { Group } from '../figures/plot';
+import { rockModels } from '../figures/rockModels';
 import { factsLine, knownFacts } from './factsLine';
+import { element } from './figure';
 import { isNumber, number } from './format';
 import { runs, single, tableOf } from './run';
 import { terrainFile } from './terrain';
 
-const modelWords: Record<string, string> = { lumped_mass: 'lumped mass', rigid_sphere: 'rigid sphere', rigid_body: 'rigid body' };
+// How far the answer may depend on the model that the facts name.
+function modelNote(parent: Group) {
+  const note = element(parent, 'p', 'With another rock model, runout, energy and height may be several times larger or smaller: ', { class: 'quiet' });
+  element(note, 'code', 'talus compare PROJECT.toml --models');
+  element(note, 'span', ' shows by how much (page “Which model?”).');
+}
 
 export function factsList(parent: Group) {
   for (const run of runs) {
     const { rocks, talus, seed } = run.summary;
-    const model = modelWords[String(tableOf(run, 'analysis').model)];
+    const model = rockModels[String(tableOf(run, 'analysis').model)];
     const facts = knownFacts([
       ['', run.date],
-      ['Model ', model && `${model}, ${run.isSection ? '2D' : '3D'}`],
+      ['Rock model ', model && `${model}, ${run.isSection ? '2D' : '3D'}`],
       ['Rocks ', isNumber(rocks?.done) && number(rocks.done)],
       ['Terrain ', terrainFile(run)],
       ['Seed ', seed === undefined ? null : String(seed)],
@@ -23,4 +30,5 @@ export function factsList(parent: Group) {
     ]);
     factsLine(parent, facts, single ? null : run);
   }
+  modelNote(parent);
 }

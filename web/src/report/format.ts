@@ -5,6 +5,7 @@
 import type { Setting } from '../archive/summary';
 import * as d3 from '../figures/d3';
 import type { Scale } from '../figures/plot';
+import { rockModels } from '../figures/rockModels';
 import { measured as measuredText, numberText } from '../units/numbers';
 import { displayedIn, type UnitSystem } from '../units/units';
 
@@ -118,8 +119,12 @@ export function settingText(value: Setting): string {
 }
 
 // Words of enumerations. Names and files of the user stay as they are.
-const choiceWords: Record<string, string> = Object.fromEntries(
-  ['lumped_mass', 'rigid_sphere', 'closed_form', 'tangential_restitution', 'monte_carlo', 'latin_hypercube', 'per_impact', 'per_rock'].map(
-    (word) => [word, word.replace(/_/g, ' ')],
+const choiceWords: Record<string, string> = {
+  ...rockModels,
+  ...Object.fromEntries(
+    ['closed_form', 'tangential_restitution', 'monte_carlo', 'latin_hypercube', 'per_impact', 'per_rock'].map((word) => [
+      word,
+      word.replace(/_/g, ' '),
+    ]),
   ),
-);
+};

@@ -2,7 +2,8 @@
 
 import type { ModelComparison, ModelFigure, ModelFigures, ModelVariation, SideView } from '../archive/modelComparison';
 import type { Group } from '../figures/plot';
-import { modelNames, rangesOf, reach, sideView } from '../figures/sideView';
+import { rockModelTitle } from '../figures/rockModels';
+import { rangesOf, reach, sideView } from '../figures/sideView';
 import { embedded } from './data';
 import { drawing, element, figure, nameFigures } from './figure';
 import { amountIn, count, displayOf, isNumber, measured, number, unitIn } from './format';
@@ -21,7 +22,7 @@ const sets: readonly ModelSet[] = [
   ...page.variations.map((each) => ({ model: each.model, figures: each, changes: each.changes })),
 ];
 const isAsked = page.place !== '';
-const nameOf = (model: string) => (modelNames[model] ?? model) + (model === page.model ? ' (the project’s)' : '');
+const nameOf = (model: string) => rockModelTitle(model) + (model === page.model ? ' (the project’s)' : '');
 
 // With the shapes that the model gives to blocks.
 function titleOf({ model, changes }: ModelSet): string {
