@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest';
 import { foundInSource, setByOthers } from './owners.mjs';
 
-test('every signal of the page is set by its own module', () => {
+// It reads the whole source, beside other tests.
+test('every signal of the page is set by its own module', { timeout: 60_000 }, () => {
   expect(foundInSource()).toEqual([]);
 });
 

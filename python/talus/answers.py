@@ -11,7 +11,7 @@ import numpy as np
 from .ensembles import Ensembles
 from .estimates import Estimate
 from .framed import Framed
-from .kits import Kit, KitAnswer, Stretch, fence_text, needed
+from .kits import Kit, KitAnswer, Stretch, needed
 from .problems import Problem
 from .tables import Table
 from .texts import count_text, fence_note, sampling_text, titles_of, value_text
@@ -195,11 +195,19 @@ class LineAnswer(_PlaceAnswer):
     @property
     def worst(self) -> Stretch | None:
         """The stretch that asks for the most energy; None: no rock crosses."""
-        found = self.json["worst"]
-        if not found:
+        return self._most("energy_J")
+
+    @property
+    def highest(self) -> Stretch | None:
+        """The stretch that asks for the highest fence; None: no rock crosses."""
+        return self._most("height_m")
+
+    def _most(self, key: str) -> Stretch | None:
+        known = [each for each in self.json["sections"] if each["needs"]]
+        if not known:
             return None
-        section = self.json["sections"][found["section"]]
-        return Stretch(found["from_m"], found["to_m"], section["rocks"], Kit._of(section["needs"]))
+        found = max(known, key=lambda each: each["needs"][key])
+        return Stretch(found["from_m"], found["to_m"], found["rocks"], Kit._of(found["needs"]))
 
     @property
     def kit(self) -> KitAnswer | None:
@@ -251,10 +259,9 @@ class LineAnswer(_PlaceAnswer):
         if not self.standard:
             del figures["needs_class"]
         notes = [f"{self.crossing:,} of {count_text(self.rocks, 'rock')}. {fence_note(self.standard, self.json['applied_factors'])}"]
-        if self.worst and len(self.json["sections"]) > 1:
-            start, end = (value_text("height_m", each) for each in self.worst[:2])
-            notes.append(f"Worst stretch: {start} to {end}, {fence_text(self.worst.needs, self.standard)}, "
-                         f"{count_text(self.worst.rocks, 'rock')}.")
+        if len(self.json["sections"]) > 1:
+            notes += [f"Most {what}: {each.text(self.standard)}." for what, each in
+                      (("energy", self.worst), ("height", self.highest)) if each]
         if self.json["kit"]:
             notes.append(self.json["kit"]["text"])
         return self._cards(figures, titles_of(self.percentile, self.name or "the line"), notes)

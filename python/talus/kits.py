@@ -6,7 +6,7 @@ from math import nan
 from typing import Any, NamedTuple
 
 from .estimates import Estimate
-from .texts import value_text
+from .texts import count_text, value_text
 
 __all__ = ["Kit", "KitAnswer", "Stretch"]
 
@@ -42,6 +42,11 @@ class Stretch(NamedTuple):
     """That cross there."""
     needs: Kit | None
     """The kit that the standard asks for there."""
+
+    def text(self, standard: str) -> str:
+        """Where it is, what it needs by a standard or without, and how many rocks say so."""
+        start, end = (value_text("height_m", each) for each in (self.from_m, self.to_m))
+        return f"{start} to {end}, {fence_text(self.needs, standard)}, {count_text(self.rocks, 'rock')}"
 
 
 class KitAnswer(NamedTuple):

@@ -227,11 +227,13 @@ def test_answers_say_their_figures_with_units(volcano, slope):
                  f"up to {upper.energy_kJ:.0f} kJ")):
         assert " ".join(row) in " ".join(repr(answer).split()), row
         assert all(escape(cell, quote=True) in answer._repr_html_() for cell in row)
-    energies = [row["needs"]["energy_J"] / 1000 if row["needs"] else 0 for row in answer.json["sections"]]
-    worst = answer.worst
-    assert worst.needs.energy_kJ == max(energies) and worst.rocks == answer.profile["rocks"][np.argmax(energies)]
+    needs = [row["needs"] or {"energy_J": 0, "height_m": 0} for row in answer.json["sections"]]
+    energies, heights = ([row[key] for row in needs] for key in ("energy_J", "height_m"))
+    worst, highest = answer.worst, answer.highest
+    assert worst.needs.energy_kJ == max(energies) / 1000 and worst.rocks == answer.profile["rocks"][np.argmax(energies)]
+    assert highest.needs.height_m == max(heights) and highest.from_m == answer.profile["from_m"][np.argmax(heights)]
     assert "166 of 400 rocks. Fence: UNI 11211-4, with γ" in repr(answer)
-    assert f"\nWorst stretch: {worst.from_m:.0f}" in repr(answer) and f", {worst.rocks} rocks.\n3 m and 500 kJ here stop" in repr(answer)
+    assert f"\nMost energy: {worst.from_m:.0f}" in repr(answer) and f", {highest.rocks} rocks.\n3 m and 500 kJ here stop" in repr(answer)
     bare = volcano.line(LINE, design={"standard": "none"})
     assert "Fence needed, energy" in repr(bare) and "class" not in repr(bare) and "no factors are applied" in repr(bare)
     inside = volcano.polygon(POLYGON)

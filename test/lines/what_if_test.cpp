@@ -168,6 +168,23 @@ TEST(WhatIf, GivesBlocksAShape) {
   EXPECT_EQ(shape_of(replaced(bouncing_slope, "rocks = 400", "rocks = 400\nshape = \"cube\"")), "cube");
 }
 
+TEST(WhatIf, SaysWhichFrictionNobodyHasChosen) {
+  const auto said = [](const std::string& text) {
+    Problems warnings;
+    (void)variations_of(read(text), only_models, "--models", warnings);
+    std::vector<std::string> what;
+    for (const Problem& problem : warnings.list()) what.push_back(problem.what);
+    return what;
+  };
+  using Said = std::vector<std::string>;
+  EXPECT_EQ(said(bouncing_slope), Said{"as rigid body, Rock has the default friction"});
+  EXPECT_EQ(said(replaced(bouncing_slope, "rolling_friction = 0.35", "")),
+            Said{"as rigid sphere and rigid body, Rock has the default friction"});
+  const std::string bare = replaced(bouncing_slope, "friction_angle_deg = 34", "");
+  EXPECT_EQ(said(replaced(bare, "dynamic_friction = 0.5", "dynamic_friction = 0.6")),
+            Said{"Rock has the default friction"});
+}
+
 /// The runout of all rocks is that of a run, whether they cross or not.
 TEST(WhatIf, TellsHowFarRocksGoWithoutAPlace) {
   const auto nowhere = [](const Model&, Problems&) -> AskedPlace { return std::monostate{}; };

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "talus/core/nearest.hpp"
@@ -219,7 +220,26 @@ void warn_of_other_sizes(const Project& project, Problems& warnings) {
   }
 }
 
-/// The other rock models, and what of them nobody has chosen.
+/// Says which materials have the default friction, of the project's own model and of others. Once for models that lack
+/// the same.
+void warn_of_default_friction(const Project& project, const std::vector<Variation>& others, Problems& warnings) {
+  const auto warn = [&](const std::string& as, const std::vector<std::string>& names, const char* otherwise) {
+    if (names.empty()) return;
+    warnings.add({.severity = Severity::warning,
+                  .what = fmt::format("{}{} {} the default friction", as, fmt::join(names, ", "),
+                                      names.size() == 1 ? "has" : "have"),
+                  .why = "nobody has chosen it",
+                  .hint = fmt::format("Give the materials their friction (talus materials), or {}", otherwise)});
+  };
+  warn("", project::materials_of_default_friction(project), "say why it suits the ground");
+  std::map<std::vector<std::string>, std::vector<std::string_view>> models;
+  for (const Variation& other : others)
+    models[project::materials_of_default_friction(other.project)].push_back(project::name_of(*other.model));
+  for (const auto& [names, of] : models)
+    warn(fmt::format("as {}, ", fmt::join(of, " and ")), names, "take their figures as a bound");
+}
+
+/// The other rock models.
 std::vector<Variation> other_models(const Project& project, Problems& warnings) {
   std::vector<Variation> others;
   for (const RockModel model : {RockModel::lumped_mass, RockModel::rigid_sphere, RockModel::rigid_body}) {
@@ -232,16 +252,9 @@ std::vector<Variation> other_models(const Project& project, Problems& warnings) 
       if (before.shape != after.shape)
         variation.changes.push_back({"seeder", "shape", row, before.name, Json(before.shape), Json(after.shape)});
     }
-    if (const auto names = project::materials_of_default_friction(variation.project); !names.empty()) {
-      warnings.add({.severity = Severity::warning,
-                    .what = fmt::format("as {}, {} {} the default friction", project::name_of(model),
-                                        fmt::join(names, ", "), names.size() == 1 ? "has" : "have"),
-                    .why = "nobody has chosen it",
-                    .hint = "Give the materials the friction of this model too (talus materials), or take its figures "
-                            "as a bound"});
-    }
     others.push_back(std::move(variation));
   }
+  warn_of_default_friction(project, others, warnings);
   return others;
 }
 

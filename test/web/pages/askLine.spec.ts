@@ -69,7 +69,7 @@ test('the numbers are those of the design of a run', async ({ workbench: page })
   await expect(figure(page, '95 % total energy')).toContainText(`${three(halfWay.percentiles.ke_total_J['95'][0] / 1000)} kJ`);
   await expect(share(page)).toContainText('from sampling alone, with 95 % confidence');
   if (halfWay.needs) await expect(figure(page, 'class by UNI 11211-4')).toContainText(String(halfWay.needs.class ?? 'none'));
-  await expect(card(page).getByText(/^The worst stretch is from \d+ to \d+ m/)).toBeVisible();
+  await expect(card(page).getByText(/^A fence needs most energy.* from \d+ to \d+ m/)).toBeVisible();
   await expect(card(page).locator('.asked-profile rect.worst').first()).toBeAttached();
 
   // The sentence of the sliders is an entry of the answer's table.

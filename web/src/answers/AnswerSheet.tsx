@@ -19,12 +19,12 @@ import { cardsOf } from './cards';
 import type { Doubt } from './doubts';
 import { OneCard } from './OneCard';
 import { firstOf } from './firstOf';
-import { PrintedInputs } from './PrintedInputs';
+import { PrintedInputs, spareLines } from './PrintedInputs';
 import { modelOf } from './sheetInputs';
 import { PrintedMoves } from './PrintedMoves';
 import { arePending, missingOnPaper, printedText, type Ranges } from './ranges';
 
-const [mostCorners, mostDoubts, mostPlaces] = [6, 6, 5];
+const [mostCorners, mostDoubts, mostPlaces] = [8, 6, 5];
 
 /// ", 5 m high, 3,000 kJ"
 function heightText(name: string): string {
@@ -137,6 +137,7 @@ export function AnswerSheet({ of, now, summary, ranges, doubts, asItStands, pict
     </header>
   );
   const { job } = ranges;
+  const remark = titleBlock().text;
   const cards = cardsOf(of, job?.answer ?? null, placeName(now, run.dimension));
   return (
     <>
@@ -146,9 +147,14 @@ export function AnswerSheet({ of, now, summary, ranges, doubts, asItStands, pict
         <p>
           <strong>Rock model</strong> {modelOf(summary.project)}, {counted(Number(summary.rocks.done), 'rock')}.
         </p>
+        {remark !== '' && (
+          <p>
+            <strong>Remark</strong> {remark}
+          </p>
+        )}
         <div class="answer-cards">
           {cards.map((card) => (
-            <OneCard key={card.key} of={card} missing={missingOnPaper[ranges.state]} isPart={arePending(ranges)} />
+            <OneCard key={card.key} of={card} missing={missingOnPaper[ranges.state]} isPart={arePending(ranges)} isOnPaper />
           ))}
         </div>
         <p class="faint">{rowsText(of, ranges).join(' ')}</p>
@@ -173,7 +179,7 @@ export function AnswerSheet({ of, now, summary, ranges, doubts, asItStands, pict
       <article>
         {head}
         <PrintedInputs of={summary} />
-        {job?.answer && <PrintedMoves of={job.answer} question={job.question} />}
+        {job?.answer && <PrintedMoves of={job.answer} question={job.question} spare={spareLines(summary)} />}
         <Places />
         <div class="space" />
         {hasResults(run) && <p class="faint">All results, figures and settings: report.html of the run, in {run.folder}.</p>}

@@ -13,11 +13,14 @@ interface Row {
 const byChance = 'The same with the chance of the rocks of each set: to the outermost ends of their intervals of sampling';
 const rows: readonly Row[] = [
   { name: 'sampling', label: 'sampling', title: 'By chance, with as many rocks as this run has', text: ({ sampling }) => sampling },
+  { name: 'stretches', label: 'stretches', title: 'The most that a stretch of the line needs by itself', text: ({ stretches }) => stretches },
   { name: 'inputs', label: 'inputs', title: 'With each input a step lower or higher, the same rocks', text: ({ inputs }) => inputs && inputs.text, why: ({ inputs }) => inputs?.why },
   { name: 'inputs-chance', label: '+ chance', title: byChance, text: ({ inputs }) => inputs?.withChance ?? '' },
   { name: 'models', label: 'models', title: 'With the other rock models, the same rocks', text: ({ models }) => models && models.text, why: ({ models }) => models?.why },
   { name: 'models-chance', label: '+ chance', title: byChance, text: ({ models }) => models?.withChance ?? '' },
 ];
+
+const isOfRun = new Set(['sampling', 'stretches']);
 
 interface Props {
   of: Card;
@@ -25,9 +28,10 @@ interface Props {
   missing: string;
   /// Whether ranges may still grow.
   isPart: boolean;
+  isOnPaper?: boolean;
 }
 
-export function OneCard({ of, missing, isPart }: Props) {
+export function OneCard({ of, missing, isPart, isOnPaper = false }: Props) {
   const shown = rows.filter(({ text }) => of.figures.some((figure) => text(figure) !== ''));
   return (
     <section class={`answer-card ${of.key}`} aria-label={of.title}>
@@ -53,7 +57,7 @@ export function OneCard({ of, missing, isPart }: Props) {
               {of.figures.map((figure) => {
                 const found = text(figure);
                 return (
-                  <td key={figure.name} title={why?.(figure) || title} class={found === null ? 'faint' : isPart && name !== 'sampling' ? 'part' : ''}>
+                  <td key={figure.name} title={why?.(figure) || title} class={found === null ? 'faint' : isPart && !isOfRun.has(name) ? 'part' : ''}>
                     {found ?? missing}
                   </td>
                 );
@@ -62,7 +66,7 @@ export function OneCard({ of, missing, isPart }: Props) {
           ))}
         </tbody>
       </table>
-      {of.notes.map((note) => (
+      {[...of.notes, ...(isOnPaper ? of.printed : [])].map((note) => (
         <p key={note} class="faint note">
           {note}
         </p>

@@ -12,6 +12,15 @@ import { blockShape, releaseText } from './sheetReleases';
 const [mostSeeders, mostMaterials, mostForests, mostSources, mostFiles] = [4, 5, 4, 4, 5];
 const inReport = 'in report.html of the run';
 
+/// The sources of values of the library, in the order of their numbers.
+const sourcesOf = ({ inputs }: Summary) => [...new Set((inputs?.material_sources ?? []).map(({ source }) => source))];
+
+/// How many of the lines that the inputs may take on paper they leave; a row of a table has two.
+export function spareLines(of: Summary): number {
+  const left = (most: number, list: readonly unknown[]) => Math.max(0, most - list.length);
+  return 2 * left(mostSeeders, entriesIn(of.project, 'seeder')) + 2 * left(mostMaterials, entriesIn(of.project, 'material')) + left(mostSources, sourcesOf(of));
+}
+
 /// "and 3 more files, in report.html of the run": how many are left out after the first ones.
 function Rest({ of, after, what }: { of: readonly unknown[]; after: number; what: string }) {
   if (of.length <= after) return null;
@@ -67,15 +76,16 @@ function Blocks({ of: { project, releases } }: { of: Summary }) {
   );
 }
 
-function Ground({ of: { project, inputs } }: { of: Summary }) {
+function Ground({ of }: { of: Summary }) {
+  const { project, inputs } = of;
   const { columns, rows } = materialsOf(project);
   const forests = forestsOf(project);
   const sources = inputs?.material_sources ?? [];
-  const texts = [...new Set(sources.map(({ source }) => source))];
+  const texts = sourcesOf(of);
   const origin = (row: MaterialRow) => {
-    const of = sources.filter(({ material }) => material === row.name);
-    const marks = new Set(of.map(({ source }) => texts.indexOf(source) + 1));
-    return originText(row, columns, new Set(of.flatMap(({ keys }) => keys)), [...marks]);
+    const own = sources.filter(({ material }) => material === row.name);
+    const marks = new Set(own.map(({ source }) => texts.indexOf(source) + 1));
+    return originText(row, columns, new Set(own.flatMap(({ keys }) => keys)), [...marks]);
   };
   return (
     <section>

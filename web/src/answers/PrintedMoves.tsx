@@ -9,7 +9,8 @@ import { displayOf } from '../state/displayUnits';
 import { counted, numberText } from '../units/numbers';
 import { modelName, modelText } from './models';
 
-const mostRows = 13;
+/// Beside the longest inputs.
+const leastRows = 13;
 
 const inUnit = (metric: string) => (figure: Interval | null) => (figure ? numberText(figure[0] / displayOf(metric).per, 3) : '–');
 const columns: readonly { title: () => string; text: (of: Figures) => string }[] = [
@@ -23,7 +24,15 @@ const ofFence: typeof columns = [
   { title: () => `fence, ${displayOf('m').unit}`, text: (of) => inUnit('m')(of.needs && [of.needs.height_m, null, null]) },
 ];
 
-export function PrintedMoves({ of, question }: { of: WhatIfAnswer; question: WhatIfState['question'] }) {
+interface Props {
+  of: WhatIfAnswer;
+  question: WhatIfState['question'];
+  /// The lines that are left on the page.
+  spare: number;
+}
+
+export function PrintedMoves({ of, question, spare }: Props) {
+  const mostRows = leastRows + spare;
   const inputs = inputsOf(of);
   const shown = question.polygon ? columns : [...columns, ...ofFence];
   const sets = [

@@ -4,9 +4,9 @@
 import type { AskedAnswer, EnsembleRange, Interval, LineAnswer, LineQuantity } from '../api/line';
 import type { WhatIfAnswer } from '../api/whatIf';
 import { intervalText, percentText } from '../askLine/kit';
-import { inputsOf, modelsOf, neededInterval, rangeOver, valueOf, type NeededFigure, type Range, type SpreadFigure } from '../askLine/spread';
+import { inputsOf, isNeeded, modelsOf, neededInterval, rangeOver, valueOf, type NeededFigure, type Range, type SpreadFigure } from '../askLine/spread';
 import { nameOf } from '../askLine/tornadoOf';
-import { worstOf, worstText } from '../askLine/worstStretch';
+import { mostNeeded, mostNeededText } from '../askLine/stretches';
 import { displayOf } from '../state/displayUnits';
 import { numberText } from '../units/numbers';
 import { modelName, modelText } from './models';
@@ -24,6 +24,8 @@ export interface CardFigure {
   name: string;
   value: string;
   sampling: string;
+  /// The most that a stretch of the line needs by itself; empty: there are none.
+  stretches: string;
   /// Null: unknown, such as before the job has begun.
   inputs: CardRange | null;
   models: CardRange | null;
@@ -33,6 +35,8 @@ export interface Card {
   title: string;
   figures: CardFigure[];
   notes: string[];
+  /// On paper alone.
+  printed: string[];
 }
 
 type Text = (value: number) => string;
@@ -109,11 +113,13 @@ function overEnsembles(of: AskedAnswer, { by, scale }: Shown): CardRange | null 
 }
 
 function figureOf(name: string, shown: Shown, of: AskedAnswer, whatIf: WhatIfAnswer | null): CardFigure {
-  const { value, scale } = shown;
+  const { value, scale, by } = shown;
+  const stretches = of.kind !== 'polygon' && isNeeded(by) ? mostNeeded(of).map(({ stretch }) => neededInterval(stretch, by)![0]) : [];
   return {
     name,
     value: value ? scale.text(value[0]) : 'none',
     sampling: value ? samplingText(value, scale) : '–',
+    stretches: stretches.length > 0 ? `up to ${scale.text(Math.max(...stretches))}` : '',
     inputs: overEnsembles(of, shown) ?? (whatIf && overInputs(whatIf, shown)),
     models: whatIf && overModels(whatIf, shown),
   };
@@ -128,27 +134,29 @@ export const percentileOf = (of: AskedAnswer): string => {
   return known.includes('95') ? '95' : (known[0] ?? '95');
 };
 
-/// "UNI 11211-4 with γ_Tr 1.02, γ_E 1.2"
-function factorsText({ standard, applied_factors: applied }: LineAnswer): string {
+/// "By UNI 11211-4 at MEL, with γ_Tr 1.1, γ_E 1.2, of energies as simulated."
+function checkText({ standard, applied_factors: applied, factors }: LineAnswer): string {
   if (standard === null) return 'No standard is chosen: no factors are applied.';
-  const factors = applied.filter(({ value }) => value !== 1).map(({ symbol, value }) => `${symbol} ${numberText(value)}`);
-  return factors.length > 0 ? `${standard} with ${factors.join(', ')}.` : `${standard}, all factors 1.`;
+  const known = applied.filter(({ value }) => value !== 1).map(({ symbol, value }) => `${symbol} ${numberText(value)}`);
+  const { unit, per } = displayOf('kg');
+  const energies = factors.block_mass_kg === null ? `${factors.of_total_energy ? 'total' : 'translational'} energies as simulated, without a design block` : `velocities with a design block of ${numberText(factors.block_mass_kg / per)} ${unit}`;
+  return `By ${standard} at ${factors.level}${known.length > 0 ? `, with ${known.join(', ')}` : ''}; ${energies}.`;
 }
+
+const byModels = (title: string, { models }: CardFigure) => (models?.why ? [`${title}: ${models.why}.`] : []);
 
 /// By the standard of [design]; without one the figures as they are. Its ranges are over the fences that the sets need.
 function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
   const { whole, standard } = of;
   const figure = (name: string, scale: Scale, by: NeededFigure) => figureOf(name, { by, value: neededInterval(whole, by), scale }, of, whatIf);
-  const worst = worstOf(of);
+  const most = mostNeeded(of);
+  const ofClass = standard === null ? [] : [figure('class', classScale, 'needs_class')];
   return {
     key: 'fence',
-    title: worst ? 'Fence needed, whole line' : 'Fence needed',
-    figures: [
-      ...(standard === null ? [] : [figure('class', classScale, 'needs_class')]),
-      figure('energy', scaleOf('J'), 'needs_energy_J'),
-      figure('height', scaleOf('m'), 'needs_height_m'),
-    ],
-    notes: [...(worst ? [`Worst stretch, red, ${worstText(worst, standard)}.`] : []), factorsText(of)],
+    title: most.length > 0 ? 'Fence needed, whole line' : 'Fence needed',
+    figures: [...ofClass, figure('energy', scaleOf('J'), 'needs_energy_J'), figure('height', scaleOf('m'), 'needs_height_m')],
+    notes: most.length > 0 ? [`By stretches, red: ${mostNeededText(most)} along the line.`] : [],
+    printed: [...ofClass.flatMap((each) => byModels('Class by models', each)), checkText(of)],
   };
 }
 
@@ -163,17 +171,18 @@ export function cardsOf(of: AskedAnswer, whatIf: WhatIfAnswer | null, placeText:
   const [energy, height] = [scaleOf('J'), scaleOf('m')];
   const figure = (name: string, by: LineQuantity, scale: Scale) => figureOf(name, { by, value: at(by), scale }, of, found);
   const passing = figureOf('', { by: 'share', value: share && [share.value, share.low, share.high], scale: shareScale }, of, whatIf);
+  const energies = [figure('translational', 'ke_translational_J', energy), figure('total', 'ke_total_J', energy)];
   const top = figure('', 'height_m', height);
-  const byModels = ({ models }: CardFigure) => (models?.why ? [`By models: ${models.why}.`] : []);
   const cards: Card[] = [
     {
       key: 'share',
       title: `${isArea ? 'Enters' : 'Passes'} ${placeText}`,
       figures: [passing],
-      notes: [`${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks.`, ...byModels(passing)],
+      notes: [`${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks.`, ...byModels('By models', passing)],
+      printed: [],
     },
-    { key: 'energy', title: `${percentile} % energy there`, figures: [figure('translational', 'ke_translational_J', energy), figure('total', 'ke_total_J', energy)], notes: [] },
-    { key: 'height', title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`, figures: [top], notes: byModels(top) },
+    { key: 'energy', title: `${percentile} % energy there`, figures: energies, notes: [], printed: byModels('Total by models', energies[1]!) },
+    { key: 'height', title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`, figures: [top], notes: byModels('By models', top), printed: [] },
   ];
   return isArea ? cards : [...cards, fenceOf(of, found)];
 }

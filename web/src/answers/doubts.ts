@@ -82,7 +82,7 @@ function modelDoubt(whatIf: WhatIfAnswer, answer: AskedAnswer | null): Doubt | n
   return {
     kind: 'models',
     text: `Rock models disagree by more than chance: ${texts.join('; ')}.`,
-    advice: 'Choose the model that suits the blocks and the ground, and give the reason.',
+    advice: 'Choose the model that suits the blocks and the ground; give the reason as text of the title block, which is on the sheet.',
   };
 }
 

@@ -5,7 +5,7 @@ import type { AskedAnswer } from '../api/line';
 import type { Point3 } from '../api/types';
 import { isAsking } from '../askLine/asked';
 import { placeLabel } from '../askLine/shape';
-import { worstOverlay } from '../askLine/worstStretch';
+import { mostNeededOverlays } from '../askLine/stretches';
 import { shown } from '../runs/runs';
 import { showOverlay, type Overlay } from '../tools/tool';
 import { markColours } from '../view/colours';
@@ -21,6 +21,6 @@ effect(() => {
   const [found, now, run] = [lineAnswer.value.value, place.value, shown.value];
   if (!found || !now || !run || isAsking.value) return showOverlay('line of the answers', []);
   const named = { name: placeLabel(now, run.dimension), isFitted: true };
-  const worst = found.kind === 'polygon' ? [] : worstOverlay(found);
-  showOverlay('line of the answers', [{ ...drawnOf(found), colour: markColours.asked, isBare: true, place: named }, ...worst]);
+  const most = found.kind === 'polygon' ? [] : mostNeededOverlays(found);
+  showOverlay('line of the answers', [{ ...drawnOf(found), colour: markColours.asked, isBare: true, place: named }, ...most]);
 });

@@ -93,8 +93,9 @@ export interface LineAnswer extends AnyAnswer {
   foot: Point3[];
   standard: string | null;
   applied_factors: AppliedFactor[];
-  /// Of the check; without a standard they change nothing.
-  factors: { of_total_energy: boolean };
+  /// Of the check; without a standard they change nothing. `block_mass_kg`: of a design block, whose mass takes the place of
+  /// those of the rocks.
+  factors: { of_total_energy: boolean; level: 'MEL' | 'SEL'; block_mass_kg: number | null };
   design_percentile: number;
   confidence: number;
   whole: LineFigures;

@@ -1,6 +1,6 @@
 // The profile along the asked line.
 
-import { worstOf, worstText } from './worstStretch';
+import { mostNeeded, mostNeededText } from './stretches';
 import { useCallback, useMemo } from 'preact/hooks';
 import type { LineAnswer } from '../api/line';
 import { lineProfile, lineProfileRows } from '../figures/lineProfile';
@@ -34,7 +34,7 @@ export function ProfileOfLine({ of }: { of: LineAnswer }) {
     [stretches, of],
   );
   if (stretches.length < 2) return null;
-  const worst = worstOf(of);
+  const most = mostNeeded(of);
   return (
     <div class="asked-profile">
       <Chart
@@ -53,7 +53,7 @@ export function ProfileOfLine({ of }: { of: LineAnswer }) {
           </select>
         }
       />
-      {worst && <p class="faint">The worst stretch is {worstText(worst, of.standard)}.</p>}
+      {most.length > 0 && <p class="faint">A fence needs {mostNeededText(most)}.</p>}
     </div>
   );
 }

@@ -8,7 +8,7 @@ import { shown } from '../runs/runs';
 import { cornersOf, groundOf } from './askTools';
 import { partOf } from './foot';
 import { placeLabel } from './shape';
-import { worstOverlay } from './worstStretch';
+import { mostNeededOverlays } from './stretches';
 import { owned } from '../state/owned';
 
 /// The part of the line under the pointer in the figure, from and to [m].
@@ -38,5 +38,5 @@ effect(() => {
   if (!shown) return showOverlay('asked stretch', []);
   const part = pointed ? partOf(shown.foot, ...pointed) : [];
   const underPointer: Overlay[] = part.length > 1 ? [{ points: part, kind: 'line', colour: markColours.asked, isBare: true, width: 6 }] : [];
-  showOverlay('asked stretch', [...worstOverlay(shown), ...underPointer]);
+  showOverlay('asked stretch', [...mostNeededOverlays(shown), ...underPointer]);
 });

@@ -5,6 +5,7 @@ import { computed, effect, signal } from '@preact/signals';
 import { asking, type Releases, type SourceShares } from '../api/line';
 import type { Point3, Run } from '../api/types';
 import { reportFailure } from '../state/messages';
+import { dimension } from '../project/place';
 import { filter, filterBy } from '../runs/filter';
 import { hasResults, shown } from '../runs/runs';
 import { stopsOf, type LegendData } from '../view/legends';
@@ -42,6 +43,8 @@ effect(() => {
 export interface SourcePlace {
   number: number;
   name: string;
+  /// "x 12.3, y 45.6 m"
+  where: string;
   rocks: number;
   /// Of its stored rocks: those that cross, or would clear the kit.
   count: number;
@@ -52,11 +55,18 @@ export interface SourcePlace {
 
 const nameOf = ({ header, seeders }: Releases, number: number) => header.seeders[seeders[number]!] ?? '';
 
+/// In the coordinates of the model, as all places on the page.
+function whereText({ header: { origin }, positions }: Releases, number: number): string {
+  const [x, y] = [0, 1].map((axis) => (origin[axis]! + positions[3 * number + axis]!).toFixed(1));
+  return dimension.peek() === 2 ? `x ${x} m` : `x ${x}, y ${y} m`;
+}
+
 export function placesOf(sources: SourceShares, all: Releases): SourcePlace[] {
   const counts = sources.clearing ?? sources.crossing;
   return sources.release.map((number, k) => ({
     number,
     name: nameOf(all, number),
+    where: whereText(all, number),
     rocks: sources.rocks[k]!,
     count: counts[k]!,
     share: sources.share[k]!,
@@ -122,6 +132,6 @@ export function toggleRelease(number: number) {
   filterBy({ releases: isOnly ? null : [number] });
 }
 
-/// "Place 34, Crest: 16 of 20 rocks, 80 %"
-export const sourceText = ({ number, name, count, rocks, share }: SourcePlace) =>
-  `Place ${number + 1}${name && `, ${name}`}: ${count.toLocaleString('en')} of ${counted(rocks, 'rock')}, ${percentText(share)}`;
+/// "Place 34, Crest, x 12.3, y 45.6 m: 16 of 20 rocks, 80 %"
+export const sourceText = ({ number, name, where, count, rocks, share }: SourcePlace) =>
+  `Place ${number + 1}${name && `, ${name}`}, ${where}: ${count.toLocaleString('en')} of ${counted(rocks, 'rock')}, ${percentText(share)}`;

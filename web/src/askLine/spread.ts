@@ -23,7 +23,7 @@ export interface Range {
 export const inputsOf = ({ variations }: Pick<WhatIfAnswer, 'variations'>) => variations.filter(({ factor }) => factor !== modelFactor);
 export const modelsOf = ({ variations }: Pick<WhatIfAnswer, 'variations'>) => variations.filter(({ factor }) => factor === modelFactor);
 
-const isNeeded = (by: SpreadFigure): by is NeededFigure => by in needed;
+export const isNeeded = (by: SpreadFigure): by is NeededFigure => by in needed;
 
 /// What a fence needs, up to what it needs at the upper ends of the intervals.
 export function neededInterval({ needs, needs_at_upper_end: upper }: Pick<Figures, 'needs' | 'needs_at_upper_end'>, by: NeededFigure): Interval | null {

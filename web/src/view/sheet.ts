@@ -91,10 +91,10 @@ function drawNorth(pen: Pen, heading: number, x: number, y: number) {
 export const projectTitle = () => (typeof values.peek().name === 'string' ? (values.peek().name as string) : fileStem());
 
 /// The title block of the report; what is not given is empty.
-export function titleBlock(): Record<'client' | 'project' | 'number' | 'revision' | 'author' | 'checked' | 'date', string> {
+export function titleBlock(): Record<'client' | 'project' | 'number' | 'revision' | 'author' | 'checked' | 'date' | 'text', string> {
   const block = values.peek().report;
   const of = (key: string) => (isTable(block) && typeof block[key] === 'string' ? (block[key] as string) : '');
-  return { client: of('client'), project: of('project'), number: of('number'), revision: of('revision'), author: of('author'), checked: of('checked'), date: of('date') };
+  return { client: of('client'), project: of('project'), number: of('number'), revision: of('revision'), author: of('author'), checked: of('checked'), date: of('date'), text: of('text') };
 }
 
 /// What identifies the work.
