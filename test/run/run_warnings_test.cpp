@@ -120,8 +120,8 @@ TEST(WarningsOfCollectors, ReportHowManyRocksPassedAbove) {
   };
   EXPECT_EQ(
       warnings_of(110),
-      "warning: collector \"Road\": 110 of 1100 rocks passed above it (its figures of energy, height and velocity "
-      "are those of the others only). Raise its height_m");
+      "warning: collector \"Road\": 110 of 1100 rocks passed above it (its hits are those of the others only; a design, "
+      "and a line that is asked, have all). Raise its height_m");
   EXPECT_EQ(warnings_of(10), "") << "one in a hundred";
 }
 

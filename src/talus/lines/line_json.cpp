@@ -65,8 +65,12 @@ Json kits_json(const LineAnswer& answer) {
           {"low", std::move(low)},         {"high", std::move(high)}};
 }
 
-std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
-std::string percents(double low, double high) { return fmt::format("{:.1f} to {:.1f} %", 100 * low, 100 * high); }
+/// Halves are rounded up, as people and the workbench do: 1,905 of 2,000 are 95.3 %.
+double percents_of(double share) { return std::round(1000 * share) / 10; }
+std::string percent(double share) { return fmt::format("{:.1f} %", percents_of(share)); }
+std::string percents(double low, double high) {
+  return fmt::format("{:.1f} to {:.1f} %", percents_of(low), percents_of(high));
+}
 
 Json kit_json(const LineAnswer& answer, const KitSize& size) {
   const KitAnswer kit = judge_kit(answer, size.height, size.maximum_energy);
@@ -156,11 +160,8 @@ Json figures_with_maxima(const LineAnswer& answer, const DesignFigures& figures,
 
 std::string three_digits(double value) {
   const double size = std::abs(value);
-  if (size >= 999.5) {
-    const double step = std::pow(10, std::floor(std::log10(size)) - 2);
-    return fmt::format("{}{}", value < 0 ? "-" : "",
-                       grouped(static_cast<std::uint64_t>(std::llround(std::round(size / step) * step))));
-  }
+  if (size >= 999.5)
+    return fmt::format("{}{}", value < 0 ? "-" : "", grouped(static_cast<std::uint64_t>(std::llround(size))));
   if (size >= 99.95) return fmt::format("{:.0f}", value);
   if (size >= 9.995) return fmt::format("{:.1f}", value);
   return fmt::format("{:.2f}", value);

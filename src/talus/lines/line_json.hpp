@@ -40,7 +40,7 @@ struct AnswerOptions {
 [[nodiscard]] nlohmann::ordered_json places_json(const Model& model, const std::vector<Vec3>& places);
 [[nodiscard]] nlohmann::ordered_json maxima_json(const std::optional<CrossingMaxima>& maxima);
 
-/// A number with three digits, as a card shows it: 0.42, 3.41, 18.2, 1,240.
+/// A number with three digits, or all before the point, as a card shows it: 0.42, 3.41, 18.2, 1,243.
 [[nodiscard]] std::string three_digits(double value);
 /// "class 2: 279 kJ, 5.57 m"; empty without a demand.
 [[nodiscard]] std::string demand_text(const std::optional<KitDemand>& demand);

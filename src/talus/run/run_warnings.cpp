@@ -102,7 +102,7 @@ void warn_of_collectors(const RunDescription& description, const Summary& summar
     warnings.add({.severity = Severity::warning,
                   .where = fmt::format("collector \"{}\"", barrier.at("name").get<std::string>()),
                   .what = fmt::format("{} of {} rocks passed above it", above, hit + above),
-                  .why = "its figures of energy, height and velocity are those of the others only",
+                  .why = "its hits are those of the others only; a design, and a line that is asked, have all",
                   .hint = "Raise its height_m"});
   }
 }
