@@ -33,7 +33,8 @@ class Problem:
     text: str
     """All of this as one line."""
     kind: str | None = None
-    """For programs: ``"mostly_on_ground"``, ``"height_below_block"`` or ``"kit_below_block"``; None for all others."""
+    """For programs: ``"mostly_on_ground"``, ``"height_below_block"``, ``"kit_below_block"``, ``"beyond_ends"`` or
+    ``"models_disagree"``; None for all others."""
 
     def __str__(self) -> str:
         return self.text

@@ -12,6 +12,8 @@ std::string_view word(ProblemKind kind) {
       return "height_below_block";
     case ProblemKind::kit_below_block:
       return "kit_below_block";
+    case ProblemKind::beyond_ends:
+      return "beyond_ends";
     case ProblemKind::models_disagree:
       return "models_disagree";
     case ProblemKind::other:

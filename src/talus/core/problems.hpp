@@ -17,6 +17,7 @@ enum class ProblemKind : std::uint8_t {
   mostly_on_ground,    // most of the way of a run's rocks was slid or rolled
   height_below_block,  // a fence of the height that the check asks for is lower than the largest block at its line
   kit_below_block,     // a kit is lower than that block
+  beyond_ends,         // rocks pass beyond the ends of an asked line
   models_disagree,     // another rock model gives figures that differ by more than chance
 };
 /// For files and programs: the name above; empty for others.

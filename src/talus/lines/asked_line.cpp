@@ -23,6 +23,13 @@ std::string names_of(const Model& model) {
   return fmt::format("it has \"{}\"", fmt::join(names, "\", \""));
 }
 
+AskedLine collector_on(const project::BarrierFoot& foot, double height) {
+  AskedLine asked;
+  asked.barrier.is_collector = true;
+  asked.barrier.set_panels(project::panels_along(foot, height, 0));
+  return asked;
+}
+
 }  // namespace
 
 void check_places(std::span<const PlanPlace> places, std::string_view where, Problems& problems) {
@@ -66,9 +73,7 @@ AskedLine drawn_line(const Model& model, std::span<const PlanPlace> line, double
   if (problems.has_errors()) throw BadInput(problems);
 
   const project::BarrierFoot foot = project::foot_of(model, line);
-  AskedLine asked;
-  asked.barrier.is_collector = true;
-  asked.barrier.set_panels(project::panels_along(foot, height, 0));
+  AskedLine asked = collector_on(foot, height);
   if (!in_section && foot.given < project::shortest_line) {
     throw BadInput(Problem{.where = std::string(where),
                            .what = fmt::format("is {:.3g} m long", foot.given),
@@ -89,6 +94,11 @@ AskedLine drawn_line(const Model& model, std::span<const PlanPlace> line, double
                   .why = "its ends are cut there, and it crosses a gap in a straight line"});
   }
   return asked;
+}
+
+std::optional<AskedLine> line_on_ground(const Model& model, std::span<const PlanPlace> line, double height) {
+  AskedLine asked = collector_on(project::foot_of(model, line), height);
+  return asked.barrier.panels().empty() ? std::nullopt : std::optional(std::move(asked));
 }
 
 AskedLine line_of_barrier(const Model& model, std::string_view name, std::string_view where) {

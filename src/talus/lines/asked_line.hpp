@@ -28,6 +28,9 @@ inline constexpr double asked_height = 10;
 /// names; parts off the terrain are added to `warnings`.
 [[nodiscard]] AskedLine drawn_line(const Model& model, std::span<const PlanPlace> line, double height,
                                    std::string_view where, Problems& warnings);
+/// The same without a word of parts off the terrain; nullopt if all of it is off.
+[[nodiscard]] std::optional<AskedLine> line_on_ground(const Model& model, std::span<const PlanPlace> line,
+                                                      double height);
 /// The barrier or collector of this name. Throws BadInput if there is none.
 [[nodiscard]] AskedLine line_of_barrier(const Model& model, std::string_view name, std::string_view where);
 

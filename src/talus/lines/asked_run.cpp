@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "talus/archive/doubts.hpp"
+#include "talus/lines/beyond_ends.hpp"
 #include "talus/lines/ensemble_spread.hpp"
 
 namespace talus {
@@ -38,6 +39,9 @@ RunAnswer AskedRun::line(const project::DesignBasis& basis, const AskedLine& lin
   doubt_needed_height(where, answer.result.whole, all.warnings);
   if (options.kit) doubt_kit_height(where, options.kit->height, answer.result.whole, all.warnings);
   all.json.update(line_json(model_, line, answer, sources_, options));
+  const auto beyond = rocks_beyond_ends(model_, basis, *paths_, line, answer);
+  all.json["beyond_ends"] = beyond ? Json(*beyond) : Json();
+  if (beyond) doubt_ends(where, *beyond, answer, all.warnings);
   all.json["ensembles"] = nullptr;
   if (!model_.ensembles.empty()) all.json["ensembles"] = spread_json(ensemble_spread(model_, paths_->rocks(), answer));
   for (const CrossingRock& crossing : answer.crossings) all.rocks.push_back(crossing.rock);

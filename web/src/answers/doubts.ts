@@ -90,6 +90,7 @@ const kinds: Partial<Record<string, DoubtKind>> = {
   mostly_on_ground: 'ground',
   height_below_block: 'height',
   kit_below_block: 'height',
+  beyond_ends: 'place',
   models_disagree: 'models',
 } satisfies Partial<Record<ProblemKind, DoubtKind>>;
 const problemDoubt = (kind: DoubtKind, { what, why, hint, text }: Problem): Doubt => ({

@@ -12,7 +12,7 @@ export interface About {
 }
 
 /// Problems that are told from others; empty: none of these.
-export type ProblemKind = '' | 'mostly_on_ground' | 'height_below_block' | 'kit_below_block' | 'models_disagree';
+export type ProblemKind = '' | 'mostly_on_ground' | 'height_below_block' | 'kit_below_block' | 'beyond_ends' | 'models_disagree';
 export interface Problem {
   severity: 'warning' | 'error';
   kind: ProblemKind;
