@@ -51,6 +51,13 @@ std::string number_or_blank(const Json& section, const char* quantity, const std
   return values.contains(percentile) ? three_digits(values.at(percentile).at(0).get<double>() / unit) : "";
 }
 
+/// "37.2 % (35.1 to 39.4 %)"; empty without rocks.
+std::string share_text(const Json& share) {
+  if (share.is_null()) return {};
+  const auto of = [&](const char* key) { return rounded_percents(share.at(key).get<double>()); };
+  return fmt::format("{:.1f} % ({:.1f} to {:.1f} %)", of("value"), of("low"), of("high"));
+}
+
 void print_sources(const Json& sources, const StoredSources& places, const Model& model) {
   constexpr std::size_t most = 10;
   std::vector<std::pair<std::uint64_t, std::size_t>> order;
@@ -163,12 +170,8 @@ void print_area(const Json& answer, const StoredSources& places, const Model& mo
     const Json& share = counted.at("share");
     fmt::print("{} rocks {} the polygon of {} m2", grouped(counted.at("rocks").get<std::uint64_t>()), does,
                three_digits(answer.at("area_m2").get<double>()));
-    if (share.is_null()) {
-      fmt::print("\n");
-    } else {
-      fmt::print(": {:.1f} % ({:.1f} to {:.1f} %)\n", 100 * share.at("value").get<double>(),
-                 100 * share.at("low").get<double>(), 100 * share.at("high").get<double>());
-    }
+    const std::string text = share_text(share);
+    fmt::print("{}{}\n", text.empty() ? "" : ": ", text);
   };
   count("entering", "enter");
   count("stopping", "stop in");
@@ -201,11 +204,11 @@ void print_ditch(const Json& answer) {
   const auto count = [&](const char* key, const char* does, const char* of) {
     const Json& share = answer.at(key).at("share");
     const std::string rocks = grouped(answer.at(key).at("rocks").get<std::uint64_t>());
-    if (share.is_null()) {
+    const std::string text = share_text(share);
+    if (text.empty()) {
       fmt::print("{} rocks {}\n", rocks, does);
     } else {
-      fmt::print("{} rocks {}: {:.1f} % ({:.1f} to {:.1f} %) {}\n", rocks, does, 100 * share.at("value").get<double>(),
-                 100 * share.at("low").get<double>(), 100 * share.at("high").get<double>(), of);
+      fmt::print("{} rocks {}: {} {}\n", rocks, does, text, of);
     }
   };
   const std::string all = fmt::format("of {}", grouped(answer.at("rocks").get<std::uint64_t>()));

@@ -38,7 +38,8 @@ def percent_text(share: float) -> str:
     """Close to 0 and 100 % with as many decimals as it takes to differ from them."""
     gap = min(100 * share, 100 - 100 * share)
     decimals = 0 if gap <= 0 else 1 if gap >= 0.1 else min(6, ceil(-log10(gap)) + 1)
-    text = f"{floor(100 * share * 10**decimals + 0.5) / 10**decimals:.{decimals}f}"  # halves up
+    # Halves are rounded up, as in the workbench; 1e-9: those of shares of rocks are seldom exact numbers.
+    text = f"{floor(100 * share * 10**decimals + 0.5 + 1e-9) / 10**decimals:.{decimals}f}"
     return f"{text.rstrip('0').rstrip('.') if '.' in text else text} %"
 
 

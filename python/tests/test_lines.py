@@ -246,7 +246,8 @@ def test_answers_say_their_figures_with_units(volcano, slope):
 
 
 @pytest.mark.parametrize("value, text", [
-    (0.5, "50 %"), (0.4932, "49.3 %"), (1, "100 %"), (0.9999, "99.99 %"), (0.00001, "0.001 %")])
+    (0.5, "50 %"), (0.4932, "49.3 %"), (1, "100 %"), (0.9999, "99.99 %"), (0.00001, "0.001 %"),
+    (1905 / 2000, "95.3 %"), (201 / 400, "50.3 %"), (23 / 80, "28.8 %"), (0.1245, "12.5 %")])
 def test_shares_are_texts(value, text):
     assert texts.percent_text(value) == text
 

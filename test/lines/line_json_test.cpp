@@ -26,8 +26,18 @@ TEST(ThreeDigits, AreAsACardShowsThem) {
   EXPECT_EQ(three_digits(99.96), "100");
   EXPECT_EQ(three_digits(412.4), "412");
   EXPECT_EQ(three_digits(999.6), "1,000");
-  EXPECT_EQ(three_digits(1243), "1,240");
-  EXPECT_EQ(three_digits(1234567), "1,230,000");
+  EXPECT_EQ(three_digits(1243), "1,243");
+  EXPECT_EQ(three_digits(1234567.4), "1,234,567");
+}
+
+// Of numbers that are above, at and below the share of rocks.
+TEST(RoundedPercents, RoundHalvesUp) {
+  EXPECT_EQ(rounded_percents(1905. / 2000), 95.3);
+  EXPECT_EQ(rounded_percents(201. / 400), 50.3);
+  EXPECT_EQ(rounded_percents(23. / 80), 28.8);
+  EXPECT_EQ(rounded_percents(0.3724), 37.2);
+  EXPECT_EQ(rounded_percents(0), 0);
+  EXPECT_EQ(rounded_percents(1), 100);
 }
 
 const std::string card_slope = testing_tools::replaced(plain_slope, "rocks = 150", "rocks = 40");

@@ -65,11 +65,9 @@ Json kits_json(const LineAnswer& answer) {
           {"low", std::move(low)},         {"high", std::move(high)}};
 }
 
-/// Halves are rounded up, as people and the workbench do: 1,905 of 2,000 are 95.3 %.
-double percents_of(double share) { return std::round(1000 * share) / 10; }
-std::string percent(double share) { return fmt::format("{:.1f} %", percents_of(share)); }
+std::string percent(double share) { return fmt::format("{:.1f} %", rounded_percents(share)); }
 std::string percents(double low, double high) {
-  return fmt::format("{:.1f} to {:.1f} %", percents_of(low), percents_of(high));
+  return fmt::format("{:.1f} to {:.1f} %", rounded_percents(low), rounded_percents(high));
 }
 
 Json kit_json(const LineAnswer& answer, const KitSize& size) {
@@ -157,6 +155,11 @@ Json figures_with_maxima(const LineAnswer& answer, const DesignFigures& figures,
 }
 
 }  // namespace
+
+double rounded_percents(double share) {
+  constexpr double by_rounding = 1e-9;  // of shares of rocks, whose halves are seldom exact numbers
+  return std::floor(1000 * share + 0.5 + by_rounding) / 10;
+}
 
 std::string three_digits(double value) {
   const double size = std::abs(value);

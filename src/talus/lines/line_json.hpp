@@ -40,6 +40,9 @@ struct AnswerOptions {
 [[nodiscard]] nlohmann::ordered_json places_json(const Model& model, const std::vector<Vec3>& places);
 [[nodiscard]] nlohmann::ordered_json maxima_json(const std::optional<CrossingMaxima>& maxima);
 
+/// A share of rocks in percent, with one decimal; halves are rounded up: 1,905 of 2,000 are 95.3 %, as people and the
+/// workbench have it.
+[[nodiscard]] double rounded_percents(double share);
 /// A number with three digits, or all before the point, as a card shows it: 0.42, 3.41, 18.2, 1,243.
 [[nodiscard]] std::string three_digits(double value);
 /// "class 2: 279 kJ, 5.57 m"; empty without a demand.

@@ -19,4 +19,6 @@ test('the kit nearest to the wanted one', () => {
 });
 test('a share next to 0 or 100 % is not shown as such', () => {
   expect([0, 1, 0.5, 0.3721, 0.99996, 0.00002].map(percentText)).toEqual(['0 %', '100 %', '50 %', '37.2 %', '99.996 %', '0.002 %']);
+  // Halves: of numbers that are above, at and below the share of rocks.
+  expect([1905 / 2000, 201 / 400, 23 / 80, 0.1245].map(percentText)).toEqual(['95.3 %', '50.3 %', '28.8 %', '12.5 %']);
 });
