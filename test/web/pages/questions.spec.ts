@@ -72,7 +72,7 @@ test('the four questions are answered as by collectors', async ({ workbench: pag
   expect(await number("95 % height of the block's top")).toBeCloseTo(Number(design.percentiles.height_m!['95']![0].toPrecision(3)), 6);
 
   // Where do they come from? All from the one place of release; the filter leaves as many as crossed.
-  await expect(card.locator('.asked-sources li button')).toHaveText(new RegExp(`Crest: ${crossing.size} of 400 rocks, `));
+  await expect(card.locator('.asked-sources li button')).toHaveText(new RegExp(`Crest, x [\\d.]+, y [\\d.]+ m: ${crossing.size} of 400 rocks, `));
   await card.getByLabel('Only rocks that cross').check();
   await page.getByRole('tab', { name: 'Overview' }).click();
   await expect(page.locator('.results .filter-note')).toContainText(`${crossing.size} of 400 rocks: cross the asked line`);
