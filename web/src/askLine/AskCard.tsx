@@ -39,7 +39,7 @@ function OfLine({ of }: { of: LineAnswer }) {
   return (
     <>
       <Shares of={of} />
-      <EnoughRocks of={of.enough} />
+      <EnoughRocks of={of} />
       {rocks > 0 && (
         <>
           <Figures of={figuresOfLine(of)} />
@@ -59,7 +59,7 @@ function OfPolygon({ of }: { of: PolygonAnswer }) {
   return (
     <>
       <Shares of={of} />
-      <EnoughRocks of={of.enough} />
+      <EnoughRocks of={of} />
       {of.entering.rocks > 0 && <Figures of={figuresOfArea(of)} />}
       <OnlyThese what="enter" />
       {of.sources && <Sources hasKit={false} />}

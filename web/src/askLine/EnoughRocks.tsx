@@ -1,10 +1,13 @@
 // Whether the rocks are enough for narrow intervals, and how many would do.
 
-import type { Enough } from '../api/line';
+import type { AskedAnswer } from '../api/line';
 import { compute } from '../runs/runs';
+import { enoughText } from './enoughText';
 
-export function EnoughRocks({ of: { text, rocks } }: { of: Enough }) {
+export function EnoughRocks({ of }: { of: AskedAnswer }) {
+  const text = enoughText(of);
   if (text === '') return null;
+  const { rocks } = of.enough;
   return (
     <div class="problem warning asked-enough">
       {text}
