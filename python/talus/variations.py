@@ -95,7 +95,7 @@ class Variation(NamedTuple):
     lost: int
     """Rocks that cross without it alone."""
     name: str
-    """For people: ``"roughness +25 %"``, ``"rigid sphere"``, ``"rigid body (block)"`` with the shapes that rocks without one got."""
+    """For people: ``"roughness +25 %"``, ``"rigid sphere"``, ``"rigid body (block)"`` with the shapes of its blocks."""
     model: str
     """The rock model, as in a project file: the project's own, or the other one."""
 
@@ -104,14 +104,13 @@ class Variation(NamedTuple):
         difference, percent = given["difference"], given["step_percent"]
         model = given.get("model", own_model)
         is_model = percent is None
-        name = _model_text(model, given["changes"]) if is_model else f"{given['factor'].replace('_', ' ')} {percent:+g} %"
+        name = _model_text(model, given["shapes"]) if is_model else f"{given['factor'].replace('_', ' ')} {percent:+g} %"
         return cls(given["factor"], percent and percent / 100, given["text"], given["clipped"], Figures._of(given),
                    Figures._of(difference), difference["gained"], difference["lost"], name, model)
 
 
-def _model_text(model: str, changes: list[dict[str, Any]]) -> str:
-    shapes = {str(each["after"]).replace("_", " "): None for each in changes if each["path"][2] == "shape"}
-    return model_name(model) + (f" ({', '.join(shapes)})" if shapes else "")
+def _model_text(model: str, shapes: list[str]) -> str:
+    return model_name(model) + (f" ({', '.join(each.replace('_', ' ') for each in shapes)})" if shapes else "")
 
 
 class Range(NamedTuple):

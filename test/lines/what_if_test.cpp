@@ -168,6 +168,16 @@ TEST(WhatIf, GivesBlocksAShape) {
   EXPECT_EQ(shape_of(replaced(bouncing_slope, "rocks = 400", "rocks = 400\nshape = \"cube\"")), "cube");
 }
 
+TEST(WhatIf, NamesTheShapesOfAModel) {
+  Asked asked(read(replaced(bouncing_slope, "rocks = 400", "rocks = 4\nshape = \"cube\"")), bench, only_models);
+  EXPECT_TRUE(asked.what_if->run({}));
+  const auto variations = json_of(*asked.what_if, asked.what_if->answer(1)).at("variations");
+  ASSERT_EQ(variations.size(), 2u);
+  EXPECT_EQ(variations[0].at("model"), "rigid_sphere");
+  EXPECT_TRUE(variations[0].at("shapes").empty());
+  EXPECT_EQ(variations[1].at("shapes"), nlohmann::json::array({"cube"}));
+}
+
 TEST(WhatIf, SaysWhichFrictionNobodyHasChosen) {
   const auto said = [](const std::string& text) {
     Problems warnings;

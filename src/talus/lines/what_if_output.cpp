@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -132,6 +133,16 @@ Json disagreements_json(const WhatIf& what_if, const Answer& answer) {
   return list;
 }
 
+/// The shapes of blocks of a model that has any, each once; `sphere` for a seeder without one.
+Json shapes_json(const Variation& variation) {
+  Json shapes = Json::array();
+  if (variation.model != RockModel::rigid_body) return shapes;
+  for (const project::Seeder& seeder : variation.project.seeders) {
+    if (std::ranges::count(shapes, Json(seeder.shape)) == 0) shapes.push_back(seeder.shape);
+  }
+  return shapes;
+}
+
 Json json_of(const Change& change) {
   return {{"path", {change.table, change.row, change.key}},
           {"name", change.name},
@@ -201,7 +212,10 @@ Json json_of(const WhatIf& what_if, const Answer& answer) {
              {"text", changes_text(variation)},
              {"clipped", variation.clipped},
              {"changes", std::move(changes)}};
-    if (variation.model) one["model"] = project::word(*variation.model);
+    if (variation.model) {
+      one["model"] = project::word(*variation.model);
+      one["shapes"] = shapes_json(variation);
+    }
     one.update(json_of(answer.variations[k].figures, what_if.energy()));
     one["difference"] = json_of(answer.variations[k].differences, what_if.energy());
     list.push_back(std::move(one));

@@ -5,6 +5,7 @@ import type { AskedAnswer } from '../api/line';
 import type { Summary } from '../api/results';
 import type { Point2 } from '../api/types';
 import { pointsOf } from '../askLine/askTools';
+import { enoughText } from '../askLine/enoughText';
 import { placeName, type Asked } from '../askLine/shape';
 import { percentText } from '../askLine/kit';
 import { sourcePlaces, sourceText } from '../askLine/sources';
@@ -24,7 +25,7 @@ import { modelOf } from './sheetInputs';
 import { PrintedMoves } from './PrintedMoves';
 import { arePending, missingOnPaper, printedText, type Ranges } from './ranges';
 
-const [mostCorners, mostDoubts, mostPlaces] = [8, 6, 5];
+const [mostCorners, mostDoubts, mostPlaces] = [12, 6, 5];
 
 /// ", 5 m high, 3,000 kJ"
 function heightText(name: string): string {
@@ -137,7 +138,7 @@ export function AnswerSheet({ of, now, summary, ranges, doubts, asItStands, pict
     </header>
   );
   const { job } = ranges;
-  const remark = titleBlock().text;
+  const [remark, enough] = [titleBlock().text, enoughText(of)];
   const cards = cardsOf(of, job?.answer ?? null, placeName(now, run.dimension));
   return (
     <>
@@ -167,7 +168,7 @@ export function AnswerSheet({ of, now, summary, ranges, doubts, asItStands, pict
             </ul>
           </div>
         )}
-        {of.enough.text !== '' && <p>{of.enough.text}.</p>}
+        {enough !== '' && <p>{enough}.</p>}
         {picture && (
           <div class="picture-of-view">
             <img src={picture} alt="The view" />

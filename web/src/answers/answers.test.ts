@@ -32,7 +32,7 @@ const set = (factor: string, step_percent: number | null, of: Figures, model?: s
   factor,
   title: factor,
   step_percent,
-  ...(model !== undefined && { model }),
+  ...(model !== undefined && { model, shapes: model === 'rigid_body' ? ['equant', 'my_slab'] : [] }),
   text: '',
   clipped: '',
   changes: [],
@@ -112,20 +112,20 @@ test('so do they for an area', () => {
 test('four cards, each with sampling, inputs and models', () => {
   const [share, energy, height, fence] = cardsOf(line(0.7), varied, 'Road');
   expect(share).toMatchObject({ title: 'Passes Road', figures: [{ value: '10 %', sampling: '8 to 12 %', inputs: { text: '0 to 17.9 %' }, models: { text: '0 to 12 %' } }] });
-  expect(share!.notes).toEqual(['100 of 1,000 rocks.', 'By models: lumped mass 10 % (this run), rigid sphere 12 %, rigid body 0 %.']);
+  expect(share!.notes).toEqual(['100 of 1,000 rocks.', 'By models: lumped mass 10 % (this run), rigid sphere 12 %, rigid body (equant, my slab) 0 %.']);
   expect(energy!.figures.map(({ name, value, inputs }) => [name, value, inputs?.text, inputs?.withChance])).toEqual([
     ['translational', '70 kJ', '70 to 90 kJ', '60 to 100 kJ'],
     ['total', '90 kJ', '70 to 90 kJ', '60 to 100 kJ'],
   ]);
   expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: { text: '0.7 to 4.7 m', withChance: '0.5 to 4.9 m' } });
   expect(fence).toMatchObject({ title: 'Fence needed', notes: [] });
-  expect(fence!.printed).toEqual(['Class by models: lumped mass 1 (this run), rigid sphere 5, rigid body none crosses.', 'By UNI 11211-4 at MEL, with γ_R 1.3; translational energies as simulated, without a design block.']);
-  expect(energy!.printed).toEqual(['Total by models: lumped mass 90 kJ (this run), rigid sphere 470 kJ, rigid body none crosses.']);
+  expect(fence!.printed).toEqual(['Class by models: lumped mass 1 (this run), rigid sphere 5, rigid body (equant, my slab) none crosses.', 'By UNI 11211-4 at MEL, with γ_R 1.3; translational energies as simulated, without a design block.']);
+  expect(energy!.printed).toEqual(['Total by models: lumped mass 90 kJ (this run), rigid sphere 470 kJ, rigid body (equant, my slab) none crosses.']);
   // Over what the sets need by the check, not over their percentiles.
   expect(fence!.figures).toMatchObject([
     { name: 'class', value: '1', sampling: 'too few rocks', inputs: { text: '1 in each', withChance: 'too few rocks' }, models: { text: '1 to 5', withChance: 'up to 6' } },
     { value: '90 kJ', inputs: { text: '90 to 135 kJ' }, models: { text: '90 to 705 kJ', withChance: 'up to 940 kJ' } },
-    { value: '1.2 m', inputs: { text: '1.2 to 1.58 m' }, models: { text: '1.2 to 6.14 m', why: 'lumped mass 1.2 m (this run), rigid sphere 6.14 m, rigid body none crosses' } },
+    { value: '1.2 m', inputs: { text: '1.2 to 1.58 m' }, models: { text: '1.2 to 6.14 m', why: 'lumped mass 1.2 m (this run), rigid sphere 6.14 m, rigid body (equant, my slab) none crosses' } },
   ]);
   const [, , , bare] = cardsOf({ ...line(0.7), standard: null }, null, 'Road');
   expect(bare).toMatchObject({ title: 'Fence needed', printed: ['No standard is chosen: no factors are applied.'], figures: [{ name: 'energy', inputs: null, models: null }, {}] });
@@ -153,14 +153,16 @@ test('ensembles of the run take the place of steps of its inputs', () => {
   expect(fence!.figures.map(({ inputs }) => inputs?.text)).toEqual(['0 to 3', '50 to 300 kJ', '1.1 to 2 m']);
 });
 
-const known = { answer: null, whatIf: null, summary: null, isOutdated: false };
+const known = { answer: null, whatIf: null, summary: null, isOutdated: false, hasRemark: false };
 test('doubts, the most serious first', () => {
   const summary = { notes: ['120 of 1,000 rocks left the model: runout is cut'], warnings: ['a.toml:3: warning: no seed'], end_reasons: {} } as unknown as Summary;
   const ground = { kind: 'mostly_on_ground', where: 'rocks', what: '80 % of the way was on the ground', why: 'blocks bounce', hint: 'Look at roughness_deg', text: '' };
   const answer = { ...line(0.4), problems: [ground] } as unknown as LineAnswer;
-  const found = doubtsOf({ answer, whatIf: varied, summary, isOutdated: true });
+  const found = doubtsOf({ answer, whatIf: varied, summary, isOutdated: true, hasRemark: false });
   expect(found.map(({ kind }) => kind)).toEqual(['outdated', 'models', 'height', 'ground', 'left', 'run']);
   expect(found[1]!.text).toBe('Rock models disagree by more than chance: the 95 % height is 0.4 m with lumped mass (this run) and 4.7 m with rigid sphere; the share that passes is 10 % with lumped mass (this run) and 0 % with rigid body.');
+  expect(found[1]!.advice).toContain('give the reason as text of the title block');
+  expect(doubtsOf({ ...known, whatIf: varied, hasRemark: true })[0]).toMatchObject({ kind: 'models', advice: '' });
   expect(found[2]!.text).toContain('less than the diameter of the largest block that crosses, 0.5 m');
   expect(found[5]!.text).toBe('No seed');
 });

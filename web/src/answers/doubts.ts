@@ -25,6 +25,8 @@ export interface Known {
   whatIf: WhatIfAnswer | null;
   summary: Summary | null;
   isOutdated: boolean;
+  /// Whether the title block has a text, which may give the reason for the model.
+  hasRemark: boolean;
 }
 
 /// What a fence needs, and what passes.
@@ -72,7 +74,7 @@ const shownIn = (of: AskedAnswer | null) => (by: IntervalFigure) => {
   return (of.kind === 'polygon' ? of : of.whole).percentiles[by]?.[percentileOf(of)]?.[0] ?? null;
 };
 
-function modelDoubt(whatIf: WhatIfAnswer, answer: AskedAnswer | null): Doubt | null {
+function modelDoubt(whatIf: WhatIfAnswer, { answer, hasRemark }: Known): Doubt | null {
   const found = compared.flatMap((figures) => worstOf(figures, whatIf, shownIn(answer)) ?? []);
   if (found.length === 0) return null;
   const texts = found.map(({ by, own, other, model }) => {
@@ -82,7 +84,7 @@ function modelDoubt(whatIf: WhatIfAnswer, answer: AskedAnswer | null): Doubt | n
   return {
     kind: 'models',
     text: `Rock models disagree by more than chance: ${texts.join('; ')}.`,
-    advice: 'Choose the model that suits the blocks and the ground; give the reason as text of the title block, which is on the sheet.',
+    advice: hasRemark ? '' : 'Choose the model that suits the blocks and the ground; give the reason as text of the title block, which is on the sheet.',
   };
 }
 
@@ -130,7 +132,8 @@ function warningsOf(summary: Summary | null, said: readonly Problem[]): Warning[
     .filter(({ kind, where }) => kind === '' || !said.some((one) => one.kind === kind && one.where === where));
 }
 
-export function doubtsOf({ answer, whatIf, summary, isOutdated }: Known): Doubt[] {
+export function doubtsOf(known: Known): Doubt[] {
+  const { answer, whatIf, summary, isOutdated } = known;
   const problems = answer?.problems ?? [];
   const found = problems.map((each) => problemDoubt(kinds[each.kind] ?? 'place', each));
   const of = (kind: DoubtKind) => found.filter((each) => each.kind === kind);
@@ -141,7 +144,7 @@ export function doubtsOf({ answer, whatIf, summary, isOutdated }: Known): Doubt[
   // One about the height at another place is not about this answer.
   const kindOf = ({ kind }: Warning): DoubtKind => (kinds[kind] === 'ground' || kinds[kind] === 'models' ? kinds[kind] : 'run');
   const ofRun = (kind: DoubtKind) => warnings.filter((each) => kindOf(each) === kind).map(({ text }): Doubt => ({ kind, text, advice: '' }));
-  const ofModels = whatIf && modelDoubt(whatIf, answer);
+  const ofModels = whatIf && modelDoubt(whatIf, known);
   return [
     ...(isOutdated ? [{ kind: 'outdated', text: 'These answers are of an earlier version of the project.', advice: 'Compute again.' } as const] : []),
     ...(ofModels ? [ofModels] : []),

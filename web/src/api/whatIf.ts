@@ -33,6 +33,8 @@ export interface Variation extends Figures {
   step_percent: number | null;
   /// Of another model.
   model?: string;
+  /// Of another model: the shapes of its blocks; empty for models without.
+  shapes?: string[];
   /// The values before and after, for people.
   text: string;
   /// Which values ended at the limit of their range.
@@ -72,6 +74,8 @@ export interface WhatIfOptions {
   steps?: Record<string, unknown>;
   /// The other rock models, too.
   models?: boolean;
+  /// Time for the runs; 40 unless given, at most 600.
+  seconds?: number;
 }
 export interface WhatIfState {
   run: string;

@@ -31,7 +31,10 @@ const then = computed(() => {
   }
 });
 
-/// Whether the values of the shown run differ from those of the project; false while unknown.
+/// What only a printed page shows.
+const isOnPaper = (key: string) => key === 'report' || key.startsWith('report.');
+
+/// Whether the values of the shown run differ from those of the project, but for the title block; false while unknown.
 export const isOutdated = computed(
-  () => then.value !== null && known.value?.text !== text.value && differencesOf(then.value, values.value).length > 0,
+  () => then.value !== null && known.value?.text !== text.value && differencesOf(then.value, values.value).some(({ key }) => !isOnPaper(key)),
 );
