@@ -6,7 +6,7 @@ import { shown } from '../runs/runs';
 import { Banner } from './Banner';
 import { cardsOf } from './cards';
 import { doubts } from './doubtsNow';
-import { ranges, vary } from './job';
+import { longerThan, ranges, vary, varyLonger } from './job';
 import { lineAnswer } from './lineAnswer';
 import { NoPlace } from './NoPlace';
 import { OneCard } from './OneCard';
@@ -15,6 +15,7 @@ import { PlaceChoice } from './PlaceChoice';
 import { missingText, type Ranges } from './ranges';
 import { SheetWaits } from './SheetWaits';
 import { wantSheet } from './sheetWaits';
+import { counted } from '../units/numbers';
 import { areOpen, openCards } from './shownCards';
 import './placeOverlay';
 import './answers.css';
@@ -33,6 +34,15 @@ function JobBar({ state, job: of }: Ranges) {
     );
   }
   const isWhole = of?.state === 'done' && of.answer?.variations.some(({ model }) => model !== undefined);
+  const longer = isWhole ? longerThan(of) : null;
+  if (longer !== null && of?.answer) {
+    const { rocks, planned } = of.answer;
+    return (
+      <button class="button" onClick={() => varyLonger(longer)} title={`The ranges are of ${rocks.toLocaleString('en')} of ${counted(planned, 'rock')}: runs more of them, for ${longer} s at most`}>
+        More rocks for the ranges
+      </button>
+    );
+  }
   if (isWhole || state === 'ahead') return null;
   return (
     <button class="button" onClick={vary} title="Runs the same rocks with each input a step lower and higher, and with the other rock models, in the background">

@@ -1,6 +1,7 @@
 // What if beside the answers: the same rocks with other inputs and other rock models, in the background.
 
 import { batch, computed, effect, signal } from '@preact/signals';
+import type { WhatIfState } from '../api/whatIf';
 import { shapeOf } from '../askLine/shape';
 import { begin, isBeginning, knownOf, questionKey, refusalOf, whatIfOf } from '../askLine/whatIf';
 import { hasResults, runs, shown } from '../runs/runs';
@@ -21,13 +22,23 @@ const question = computed(() => {
 });
 const begun = signal<string | null>(null);
 
-/// Once more, or for the first time.
-export const vary = () =>
+/// Once more, or for the first time; for so many seconds, at most.
+function varyFor(seconds?: number) {
   batch(() => {
     const now = place.peek();
     begun.value = question.peek();
-    if (now) void begin(shapeOf(now), { models: true });
+    if (now) void begin(shapeOf(now), { models: true, ...(seconds !== undefined && { seconds }) });
   });
+}
+export const vary = () => varyFor();
+
+const longest = 600; // s, of the server
+/// How much longer a job may take that had too little time for all rocks of the run [s]; null: it had enough, or all there is.
+export function longerThan(of: WhatIfState | null): number | null {
+  const isShort = of?.state === 'done' && of.answer !== null && of.answer.rocks < of.answer.planned;
+  return isShort && of.seconds < 0.9 * longest ? Math.min(longest, Math.max(60, Math.ceil(4 * of.seconds))) : null;
+}
+export const varyLonger = (seconds: number) => varyFor(seconds);
 
 /// How far it is; null: nothing is asked.
 export const ranges = computed(() => {
