@@ -120,7 +120,7 @@ test('four cards, each with sampling, inputs and models', () => {
   expect(height!.figures[0]).toMatchObject({ value: '0.7 m', sampling: '0.6 m or more', models: { text: '0.7 to 4.7 m', withChance: '0.5 to 4.9 m' } });
   expect(fence).toMatchObject({ title: 'Fence needed', notes: [] });
   expect(fence!.printed).toEqual(['Class by models: lumped mass 1 (this run), rigid sphere 5, rigid body (equant, my slab) none crosses.', 'By UNI 11211-4 at MEL, with γ_R 1.3; translational energies as simulated, without a design block.']);
-  expect(energy!.printed).toEqual(['Total by models: lumped mass 90 kJ (this run), rigid sphere 470 kJ, rigid body (equant, my slab) none crosses.']);
+  expect(energy!.printed).toEqual(['Translational by models: lumped mass 70 kJ (this run), rigid sphere 470 kJ, rigid body (equant, my slab) none crosses.']);
   // Over what the sets need by the check, not over their percentiles.
   expect(fence!.figures).toMatchObject([
     { name: 'class', value: '1', sampling: 'too few rocks', inputs: { text: '1 in each', withChance: 'too few rocks' }, models: { text: '1 to 5', withChance: 'up to 6' } },
@@ -135,12 +135,12 @@ test('a fence of a long line has what its stretches need', () => {
   const stretch = (from_m: number, rocks: number, needs: LineAnswer['whole']['needs']) => ({ from_m, to_m: from_m + 20, rocks, needs, needs_at_upper_end: null });
   const of = { ...line(0.7), sections: [stretch(0, 2, null), stretch(20, 18, { energy_J: 1.2e6, class: 4, height_m: 3.41 }), stretch(40, 9, { energy_J: 9e5, class: 3, height_m: 5.73 })] } as unknown as LineAnswer;
   const [, energy, , fence] = cardsOf(of, null, 'Road');
-  expect(fence).toMatchObject({ title: 'Fence needed, whole line', notes: ['By stretches, red: most energy from 20 to 40 m (18 rocks), most height from 40 to 60 m (9 rocks) along the line.'] });
+  expect(fence).toMatchObject({ title: 'Fence needed, whole line', notes: ['By stretches, red: most energy from 20 to 40 m (18 rocks), most height from 40 to 60 m (9 rocks) along the line. A fence that is the same all along needs the most of them.'] });
   expect(fence!.figures.map(({ stretches }) => stretches)).toEqual(['up to 4', 'up to 1,200 kJ', 'up to 5.73 m']);
   expect(energy!.figures[0]!.stretches).toBe('');
   const block = { ...of, factors: { of_total_energy: false, level: 'SEL', block_mass_kg: 3879 }, sections: of.sections.slice(0, 2) } as LineAnswer;
   const bySel = cardsOf(block, null, 'Road')[3]!;
-  expect(bySel.notes).toEqual(['By stretches, red: most energy and height from 20 to 40 m (18 rocks) along the line.']);
+  expect(bySel.notes).toEqual(['By stretches, red: most energy and height from 20 to 40 m (18 rocks) along the line. A fence that is the same all along needs the most of them.']);
   expect(bySel.printed).toEqual(['By UNI 11211-4 at SEL, with γ_R 1.3; velocities with a design block of 3,879 kg.']);
 });
 

@@ -155,7 +155,7 @@ function fenceOf(of: LineAnswer, whatIf: WhatIfAnswer | null): Card {
     key: 'fence',
     title: most.length > 0 ? 'Fence needed, whole line' : 'Fence needed',
     figures: [...ofClass, figure('energy', scaleOf('J'), 'needs_energy_J'), figure('height', scaleOf('m'), 'needs_height_m')],
-    notes: most.length > 0 ? [`By stretches, red: ${mostNeededText(most)} along the line.`] : [],
+    notes: most.length > 0 ? [`By stretches, red: ${mostNeededText(most)} along the line. A fence that is the same all along needs the most of them.`] : [],
     printed: [...ofClass.flatMap((each) => byModels('Class by models', each)), checkText(of)],
   };
 }
@@ -181,7 +181,7 @@ export function cardsOf(of: AskedAnswer, whatIf: WhatIfAnswer | null, placeText:
       notes: [`${rocks.toLocaleString('en')} of ${of.run.stored.toLocaleString('en')} rocks.`, ...byModels('By models', passing)],
       printed: [],
     },
-    { key: 'energy', title: `${percentile} % energy there`, figures: energies, notes: [], printed: byModels('Total by models', energies[1]!) },
+    { key: 'energy', title: `${percentile} % energy there`, figures: energies, notes: [], printed: isArea || of.factors.of_total_energy ? byModels('Total by models', energies[1]!) : byModels('Translational by models', energies[0]!) },
     { key: 'height', title: isArea ? `${percentile} % bounce height` : `${percentile} % height of the block's top`, figures: [top], notes: byModels('By models', top), printed: [] },
   ];
   return isArea ? cards : [...cards, fenceOf(of, found)];

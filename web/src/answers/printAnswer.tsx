@@ -4,6 +4,7 @@ import { render } from 'preact';
 import { asking } from '../api/line';
 import type { Asked } from '../askLine/shape';
 import { attempt } from '../state/messages';
+import { withWhole } from '../paths/playback';
 import { model } from '../project/model';
 import { shown } from '../runs/runs';
 import { sheetPng } from '../view/sheet';
@@ -31,7 +32,7 @@ export const printAnswer = () =>
     last?.();
     const [run, now, of, summed, moved] = [shown.peek(), place.peek(), lineAnswer.peek().value, summary.peek(), ranges.peek()];
     if (!run || !now || !of || !summed || !moved) return;
-    const [png, own] = await Promise.all([sheetPng(true), asItStands(run.id, now)]);
+    const [png, own] = await Promise.all([withWhole(() => sheetPng(true)), asItStands(run.id, now)]);
     const picture = png && URL.createObjectURL(png);
     const host = Object.assign(document.createElement('div'), { className: 'answer-sheet' });
     const end = (last = () => {

@@ -37,6 +37,19 @@ export function goTo(seconds: number) {
   moment.value = seconds >= endTime.value ? Infinity : Math.max(0, seconds);
 }
 
+/// A task that sees complete trajectories; then the playback is as before.
+export async function withWhole<T>(task: () => Promise<T>): Promise<T> {
+  const [seconds, wasPlaying] = [time.peek(), isPlaying.peek()];
+  pause();
+  goTo(Infinity);
+  try {
+    return await task();
+  } finally {
+    goTo(seconds);
+    isPlaying.value = wasPlaying;
+  }
+}
+
 const longestStep = 0.1; // s; after the page was hidden, playback continues where it was
 let frame = 0;
 let before = 0;
