@@ -49,10 +49,7 @@ RunAnswer AskedRun::line(const project::DesignBasis& basis, const AskedLine& lin
 }
 
 Json AskedRun::lines(const project::DesignBasis& basis, std::span<const AskedLine> lines) const {
-  project::DesignBasis without_kits = basis;
-  without_kits.kits.clear();
-  without_kits.design.heights_m.clear();
-  const std::vector<LineAnswer> answers = ask_lines(model_, without_kits, *paths_, lines);
+  const std::vector<LineAnswer> answers = ask_lines(model_, without_kits(basis), *paths_, lines);
   Json json = head();
   Json& list = json["lines"] = Json::array();
   for (std::size_t k = 0; k < lines.size(); ++k) list.push_back(short_line_json(model_, lines[k], answers[k]));

@@ -57,10 +57,7 @@ std::optional<std::array<std::uint64_t, 2>> rocks_beyond_ends(const Model& model
     }
     std::ranges::reverse(corners);
   }
-  project::DesignBasis without_kits = basis;
-  without_kits.kits.clear();
-  without_kits.design.heights_m.clear();
-  const std::vector<LineAnswer> found = ask_lines(model, without_kits, paths, continuations);
+  const std::vector<LineAnswer> found = ask_lines(model, without_kits(basis), paths, continuations);
 
   // A rock that crosses both continuations counts at the first.
   std::vector<std::uint64_t> known;

@@ -103,6 +103,12 @@ std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis
   return answers;
 }
 
+project::DesignBasis without_kits(project::DesignBasis basis) {
+  basis.kits.clear();
+  basis.design.heights_m.clear();
+  return basis;
+}
+
 std::optional<CrossingMaxima> LineAnswer::maxima(std::optional<std::uint32_t> section) const {
   std::optional<CrossingMaxima> most;
   for (const CrossingRock& crossing : crossings) {

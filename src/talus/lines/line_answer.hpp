@@ -47,6 +47,9 @@ struct LineAnswer {
 [[nodiscard]] std::vector<LineAnswer> ask_lines(const Model& model, const project::DesignBasis& basis,
                                                 const RockPaths& paths, std::span<const AskedLine> lines);
 
+/// The same for answers of which no kits are asked.
+[[nodiscard]] project::DesignBasis without_kits(project::DesignBasis basis);
+
 /// The rocks of which a kit stops how many, and what lets the others pass.
 struct KitAnswer {
   double height = 0, maximum_energy = 0;  // nominal [m], MEL [J]

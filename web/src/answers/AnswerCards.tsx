@@ -6,7 +6,7 @@ import { shown } from '../runs/runs';
 import { Banner } from './Banner';
 import { cardsOf } from './cards';
 import { doubts } from './doubtsNow';
-import { longerThan, ranges, vary, varyLonger } from './job';
+import { longerThan, ranges, vary } from './job';
 import { lineAnswer } from './lineAnswer';
 import { NoPlace } from './NoPlace';
 import { OneCard } from './OneCard';
@@ -38,14 +38,14 @@ function JobBar({ state, job: of }: Ranges) {
   if (longer !== null && of?.answer) {
     const { rocks, planned } = of.answer;
     return (
-      <button class="button" onClick={() => varyLonger(longer)} title={`The ranges are of ${rocks.toLocaleString('en')} of ${counted(planned, 'rock')}: runs more of them, for ${longer} s at most`}>
+      <button class="button" onClick={() => vary(longer)} title={`The ranges are of ${rocks.toLocaleString('en')} of ${counted(planned, 'rock')}: runs more of them, for ${longer} s at most`}>
         More rocks for the ranges
       </button>
     );
   }
   if (isWhole || state === 'ahead') return null;
   return (
-    <button class="button" onClick={vary} title="Runs the same rocks with each input a step lower and higher, and with the other rock models, in the background">
+    <button class="button" onClick={() => vary()} title="Runs the same rocks with each input a step lower and higher, and with the other rock models, in the background">
       Vary inputs and models
     </button>
   );

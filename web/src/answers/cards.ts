@@ -134,7 +134,7 @@ export const percentileOf = (of: AskedAnswer): string => {
   return known.includes('95') ? '95' : (known[0] ?? '95');
 };
 
-/// "By UNI 11211-4 at MEL, with γ_Tr 1.1, γ_E 1.2, of energies as simulated."
+/// "By UNI 11211-4 at MEL, with γ_Tr 1.1, γ_E 1.2; total energies as simulated, without a design block."
 function checkText({ standard, applied_factors: applied, factors }: LineAnswer): string {
   if (standard === null) return 'No standard is chosen: no factors are applied.';
   const known = applied.filter(({ value }) => value !== 1).map(({ symbol, value }) => `${symbol} ${numberText(value)}`);

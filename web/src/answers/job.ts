@@ -22,15 +22,14 @@ const question = computed(() => {
 });
 const begun = signal<string | null>(null);
 
-/// Once more, or for the first time; for so many seconds, at most.
-function varyFor(seconds?: number) {
+/// Once more, or for the first time; for so many seconds, at most, or as long as usual.
+export function vary(seconds?: number) {
   batch(() => {
     const now = place.peek();
     begun.value = question.peek();
     if (now) void begin(shapeOf(now), { models: true, ...(seconds !== undefined && { seconds }) });
   });
 }
-export const vary = () => varyFor();
 
 const longest = 600; // s, of the server
 /// How much longer a job may take that had too little time for all rocks of the run [s]; null: it had enough, or all there is.
@@ -38,7 +37,6 @@ export function longerThan(of: WhatIfState | null): number | null {
   const isShort = of?.state === 'done' && of.answer !== null && of.answer.rocks < of.answer.planned;
   return isShort && of.seconds < 0.9 * longest ? Math.min(longest, Math.max(60, Math.ceil(4 * of.seconds))) : null;
 }
-export const varyLonger = (seconds: number) => varyFor(seconds);
 
 /// How far it is; null: nothing is asked.
 export const ranges = computed(() => {
@@ -67,5 +65,5 @@ effect(() => {
     begun: begun.value,
   });
   clearTimeout(timer);
-  if (isDue) timer = setTimeout(vary, rest);
+  if (isDue) timer = setTimeout(() => vary(), rest);
 });

@@ -7,6 +7,7 @@ import { constantKind, type KeyOf } from '../settings/names';
 import { fieldOf } from '../settings/declared';
 import { valueText, wordText } from '../settings/words';
 import type { TomlTable, TomlValue } from '../toml/format';
+import { modelName } from './models';
 
 /// Numbers may be texts, with the digits of the file.
 export type Echo = Record<string, unknown>;
@@ -47,7 +48,7 @@ function sizeText(seeder: Echo): string {
 /// "mass 900 kg, lognormal, σ 500; 2,700 kg/m³"
 export const blocksText = (seeder: Echo): string => `${sizeText(seeder)}; ${drawnText(seeder.density_kg_m3)} kg/m³`;
 
-export const modelOf = (project: Echo): string => wordText(String((project.analysis as Echo | undefined)?.model ?? ''));
+export const modelOf = (project: Echo): string => modelName(String((project.analysis as Echo | undefined)?.model));
 
 /// Choices of [analysis] that engineers ask for, if they have an effect.
 const lawKeys: readonly (readonly [KeyOf<'analysis'>, string])[] = [
